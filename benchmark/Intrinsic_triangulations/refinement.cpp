@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How long does Delaunay refinement take, exactly (the default setting: with integer coordinates)
-// and with doubles, compared with CGAL's intrinsic Delaunay triangulation of the heat method, and
+// and with doubles, compared with CGAL's intrinsic Delaunay triangulation of the heat method, on
+// single meshes, on three CAD parts of slivers and needles, and on all meshes of the data set; and
 // does its time grow linearly with the vertices inserted?
 // Usage: refinement [DIRECTORY [REPETITIONS [MAXIMUM_INSERTIONS]]] > result.json
 
 #include "benchmark_support.h"
+#include "cad_parts.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +24,7 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -54,13 +60,13 @@ struct Criteria {
 // Building and refining, as the yardstick builds as well.
 template <class Triangulation>
 Refined run_refinement(const Surface_mesh& mesh, const Criteria& criteria) {
-  const Stopwatch watch;
+  const double start = processor_time();
   Triangulation t(mesh);
   const auto result =
       IT::delaunay_refine(t, IT::parameters::minimum_angle(criteria.minimum_angle)
                                  .maximum_circumradius(criteria.maximum_circumradius)
                                  .maximum_insertions(criteria.maximum_insertions));
-  return {watch.milliseconds(), result.counts.inserted_vertices(), result.unsatisfied.size()};
+  return {processor_time() - start, result.counts.inserted_vertices(), result.unsatisfied.size()};
 }
 
 struct Contender {
@@ -91,6 +97,13 @@ std::vector<Workload> workloads(const std::string& directory) {
                       return IT::synthetic::to_surface_mesh<Kernel::Point_3>(
                           IT::synthetic::shear_torus());
                     }});
+  const auto add_part = [&](const char* name, auto make) {
+    result.push_back(
+        {name, [=] { return IT::synthetic::to_surface_mesh<Kernel::Point_3>(make()); }});
+  };
+  add_part("rounded_plate", [] { return IT::synthetic::rounded_plate(5000); });
+  add_part("stepped_shaft", [] { return IT::synthetic::stepped_shaft(1430); });
+  add_part("plate_with_holes", [] { return IT::synthetic::plate_with_holes(6, 830); });
   result.push_back({"arma_split200k", [=] { return split_armadillo(directory, 200000); }});
   result.push_back({"arma_s2x6", [=] {
                       const auto soup = IT::synthetic::to_soup(read_mesh(directory, "armadillo"));
@@ -134,6 +147,49 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
   return result;
 }
 
+// The sum of times over all meshes as a multiple of that of another contender, and the greatest
+// ratio on one mesh.
+struct Comparison {
+  std::size_t contender, to;
+  double time = 0, other = 0, worst = 0;
+  std::string worst_mesh;
+
+  void add(const std::string& mesh, const std::vector<double>& times) {
+    time += times[contender];
+    other += times[to];
+    if (const double ratio = times[contender] / times[to]; ratio > worst) {
+      worst = ratio;
+      worst_mesh = mesh;
+    }
+  }
+  nlohmann::json result() const {
+    return {{"total", time / other}, {"worst", worst}, {"worst_mesh", worst_mesh}};
+  }
+};
+
+// Exact refinement to 25 degrees on all meshes of the data set with more than 1,000 faces that take
+// a millisecond at least: less is noise.
+nlohmann::json measure_data_set(const std::string& directory, std::size_t repetitions) {
+  // of the first four contenders: see above
+  std::vector<Comparison> comparisons{{1, 0}, {3, 2}, {3, 1}, {1, 2}};
+  for (const auto& file : std::filesystem::directory_iterator(directory)) {
+    Surface_mesh mesh;
+    if (!CGAL::IO::read_polygon_mesh(file.path().string(), mesh) || !is_triangle_mesh(mesh) ||
+        num_faces(mesh) <= 1000)
+      continue;
+    std::vector<double> fastest(4, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < repetitions; ++i)
+      for (std::size_t c = 0; c < fastest.size(); ++c)
+        fastest[c] = std::min(fastest[c], contenders[c].run(mesh, {}).milliseconds);
+    if (*std::min_element(fastest.begin(), fastest.end()) < 1) continue;
+    for (Comparison& c : comparisons) c.add(file.path().stem().string(), fastest);
+  }
+  nlohmann::json result;
+  for (const Comparison& c : comparisons)
+    result[contenders[c.contender].name + "_by_" + contenders[c.to].name] = c.result();
+  return result;
+}
+
 // A circumradius that halves the area of faces again and again doubles the vertices.
 nlohmann::json measure_linearity(const std::string& directory, double maximum) {
   const Surface_mesh mesh = read_mesh(directory, "camel");
@@ -172,6 +228,8 @@ nlohmann::json measure_all(const std::string& directory, std::size_t repetitions
         measure(mesh, is_long ? std::min<std::size_t>(repetitions, 2) : repetitions);
     std::cerr << w.name << ' ' << result["meshes"][w.name].dump() << '\n';
   }
+  result["data_set"] = measure_data_set(directory, repetitions);
+  std::cerr << "data set " << result["data_set"].dump() << '\n';
   result["linearity"] = measure_linearity(directory, maximum);
   return result;
 }

@@ -43,6 +43,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Triangle_strips.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Turn_products.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Turned_positions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.cpp>

@@ -80,42 +80,6 @@ public:
     return enter(parent, exit == first ? 0U : exit == complex.next(first) ? 1U : 2U, halfedge);
   }
 
-  /*!
-  \brief adds a strip of faces, each of which is entered from the one before.
-  \tparam Complex a model of `NumberedComplex`
-  \tparam Halfedges a functor from numbers to halfedges
-  \param complex the surface
-  \param parent the triangle from which the first one is entered
-  \param count how many faces
-  \param halfedges gives the halfedges over which they are entered
-  */
-  template <class Complex, class Halfedges>
-  void enter_strip(const Complex& complex, std::uint32_t parent, std::size_t count,
-                   const Halfedges& halfedges) {
-    std::size_t number = size();
-    triangles_.resize(number + count);
-    Triangle last = triangles_[parent];
-    // Turns about a vertex may be thousands of faces long and leave all over the same side:
-    // branches, unlike tables of corners, need not wait for the face before.
-    for (std::size_t i = 0; i < count; ++i, ++number) {
-      const std::uint32_t h = halfedges(i), exit = h ^ 1U;
-      const auto [a, b, c] = last.point;
-      const auto name = static_cast<std::uint32_t>(number);
-      std::array<std::uint32_t, 3> point{a, c, name + 2};
-      unsigned side = 2;
-      if (exit == complex.next(last.side)) {
-        point = {c, b, name + 2};
-        side = 1;
-      } else if (exit == last.side) {
-        point = {b, a, name + 2};
-        side = 0;
-      }
-      triangles_[parent].beyond[side] = name;
-      last = triangles_[number] = {h, point, {parent, none, none}};
-      parent = name;
-    }
-  }
-
   /// returns the number of triangles.
   std::size_t size() const { return triangles_.size(); }
   /// returns the number of the triangle that was added last.

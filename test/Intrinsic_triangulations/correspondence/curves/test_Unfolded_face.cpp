@@ -9,6 +9,9 @@
 #include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Triangle_strips.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
@@ -24,6 +27,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 // Where points of faces are on the input: in the plane by rational numbers, elsewhere by signposts, which find the
@@ -413,33 +417,97 @@ TYPED_TEST(Unfolded_face, tells_the_sides_of_an_edge_apart_that_one_triangle_has
   EXPECT_GT(glued, 100);
 }
 
+std::uint32_t side_of(const IT::Input& input, std::uint32_t h, unsigned k) {
+  return k == 0 ? h : side_of(input, input.next(h), k - 1);
+}
+
+// Leaves a triangle over a side, and goes on: mostly about one vertex, many times around it.
+std::vector<std::uint32_t> random_strip(const IT::Input& input, std::uint32_t exit,
+                                        std::mt19937& random) {
+  std::vector<std::uint32_t> entered;
+  while (!input.is_border(exit ^ 1U) && entered.size() < 150) {
+    entered.push_back(exit ^ 1U);
+    const unsigned way = entered.size() < 75 ? 1 : 2;
+    exit = side_of(input, exit ^ 1U, random() % 32 != 0 ? way : 3 - way);
+  }
+  return entered;
+}
+
+void expect_same_triangles(const IT::Triangle_strips& strips, const IT::Development<>& steps) {
+  ASSERT_EQ(strips.size(), steps.size());
+  for (std::uint32_t n = 0; n < steps.size(); ++n) {
+    ASSERT_EQ(strips.side(n), steps[n].side);
+    ASSERT_EQ(strips.points(n), steps[n].point);
+    if (n > 0) {
+      ASSERT_EQ(strips.parent(n), steps[n].parent());
+      ASSERT_EQ(strips.exit_to(n), steps.exit_to(n));
+    }
+    for (unsigned k = 0; k < 3; ++k) ASSERT_EQ(strips.entered_over(n, k), steps[n].beyond[k]);
+    for (unsigned k = 0; k < 2; ++k) {
+      std::uint32_t end = n + 1;
+      while (end < steps.size() && steps[end].parent() == end - 1 &&
+             steps[end].point[k] == steps[n].point[k])
+        ++end;
+      ASSERT_EQ(strips.end_of_turn(n, k), end);
+    }
+  }
+}
+
+// Runs say which halfedges are entered; those of the way back are as few.
+std::vector<IT::Crossing_run> runs_of(const IT::Vertex_fans& fans,
+                                      const std::vector<std::uint32_t>& entered) {
+  std::vector<IT::Crossing_run> runs, back;
+  for (const std::uint32_t x : entered) IT::append_run(fans, runs, {x, 1});
+  std::vector<std::uint32_t> all;
+  for (const IT::Crossing_run& run : runs)
+    for (std::uint32_t i = 0; i < run.count(); ++i) all.push_back(run(fans, i));
+  EXPECT_EQ(all, entered);
+  std::reverse(all.begin(), all.end());
+  const auto count = static_cast<std::uint32_t>(all.size());
+  std::vector<std::uint32_t> seen;
+  // in two parts, of which the second one may go on with the last run of the first
+  for (const auto& [from, to] : {std::pair{0U, count / 3}, std::pair{count / 3, count}})
+    IT::for_each_run(fans, runs, true, from, to, [&](const IT::Crossing_run& run) {
+      for (std::uint32_t i = 0; i < run.count(); ++i) seen.push_back(run(fans, i) ^ 1U);
+      IT::append_run(fans, back, run);
+    });
+  EXPECT_EQ(seen, all);
+  EXPECT_EQ(back.size(), runs.size());
+  return runs;
+}
+
 // Strips leave the first triangle over any side, then turn to both sides, in turns of many faces.
-TEST(Development, strips_are_what_single_steps_add) {
+TEST(Triangle_strips, are_what_single_steps_add) {
   std::mt19937 random(11);
+  std::size_t stored = 0, all = 0;
   for (const meshes::Mesh& m : {meshes::rough_grid(5, 1), meshes::potato(2, 3)}) {
     const Exact<IT::Integer_coordinates> t(subdivision_oracle::input(m));
     const IT::Input& input = t.input();
-    for (int round = 0; round < 300; ++round) {
-      std::uint32_t h =
+    const IT::Vertex_fans fans(input);
+    for (int round = 0; round < 60; ++round) {
+      const std::uint32_t h =
           input.halfedge_of_face(static_cast<std::uint32_t>(random() % input.number_of_faces()));
-      IT::Development<> steps, strip;
-      for (auto* d : {&steps, &strip}) d->start(h);
-      std::vector<std::uint32_t> entered;
-      std::uint32_t exit = std::array{h, input.next(h), input.next(input.next(h))}[random() % 3];
-      while (!input.is_border(exit ^ 1U) && entered.size() < 50) {
-        entered.push_back(h = exit ^ 1U);
-        steps.enter(input, steps.last(), h);
-        exit = random() % 8 < 6 ? input.next(h) : input.next(input.next(h));
+      IT::Development<> steps;
+      IT::Triangle_strips strips;
+      steps.start(h);
+      strips.start(h);
+      std::uint32_t from = 0;
+      for (int strip = 0; strip < 2; ++strip) {
+        const auto exit = static_cast<unsigned>(random() % 3);
+        if (steps[from].beyond[exit] != IT::Development<>::none) continue;
+        const auto entered = random_strip(input, side_of(input, steps[from].side, exit), random);
+        std::uint32_t last = from;
+        for (const std::uint32_t x : entered) last = steps.enter(input, last, x);
+        const std::vector<IT::Crossing_run> runs = runs_of(fans, entered);
+        strips.enter(input, fans, from, runs);
+        stored += runs.size();
+        all += entered.size();
+        from = static_cast<std::uint32_t>(random() % steps.size());
       }
-      strip.enter_strip(input, 0, entered.size(), [&](std::size_t i) { return entered[i]; });
-      ASSERT_EQ(strip.size(), steps.size());
-      for (std::size_t n = 0; n < steps.size(); ++n) {
-        EXPECT_EQ(strip[n].side, steps[n].side);
-        EXPECT_EQ(strip[n].point, steps[n].point);
-        EXPECT_EQ(strip[n].beyond, steps[n].beyond);
-      }
+      expect_same_triangles(strips, steps);
     }
   }
+  EXPECT_GT(all, 8 * stored);
 }
 
 } // namespace

@@ -47,8 +47,7 @@ static_assert(std::copyable<Explicit_crossings>);
 Lists lists_of(const Explicit_crossings& c) {
   Lists lists;
   for (std::uint32_t e = 0; e < c.number_of_edges(); ++e) {
-    const std::span<const std::uint32_t> list = c.entered_on(e);
-    lists.emplace_back(list.begin(), list.end());
+    lists.push_back(c.entered_on(e));
   }
   return lists;
 }

@@ -4,10 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_DEVELOPMENT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_FACE_DEVELOPMENT_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Triangle_strips.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -57,7 +58,8 @@ public:
   \brief finds the triangles under the face of a halfedge.
   \tparam Complex `Intrinsic_view`
   \tparam Coordinates a model of `CurveCoordinates`
-  \complexity linear in the number of curves in the face, and that of following them
+  \complexity linear in the number of curves in the face, or of long turns of curves that are
+  stored, and that of following curves
   */
   template <class Complex, CurveCoordinates Coordinates>
   void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h) {
@@ -70,26 +72,25 @@ public:
     std::array<Surface_point, 3> corners;
     for (unsigned k = 0; k < 3; ++k) corners[k] = corner_on_input(complex, coordinates, sides_[k]);
     triangles_.start(corners[first_].halfedge);
+    entered_.clear();
     steps_ +=
-        internal::find_entered_from_face(complex, coordinates, sides_[first_], entered_, stack_);
-    triangles_.enter_strip(input, last(), entered_.size(),
-                           [&](std::size_t i) { return entered_[i]; });
+        internal::append_entered_from_face(complex, coordinates, sides_[first_], entered_, stack_);
+    triangles_.enter(input, coordinates.fans(), 0, entered_);
     if (fan_ == 3) {
       const unsigned third = (first_ + 2) % 3;
-      entered_.resize(static_cast<std::size_t>(curves_.cutting[third]));
-      steps_ += internal::find_entered(complex, coordinates, sides_[third], 0,
-                                       curves_.cutting[third], entered_, stack_);
-      triangles_.enter_strip(input, region_at(first_, curves_.cutting[first_]), entered_.size(),
-                             [&](std::size_t i) { return entered_[entered_.size() - 1 - i] ^ 1U; });
+      entered_.clear();
+      steps_ += internal::append_entered(complex, coordinates, sides_[third], 0,
+                                         curves_.cutting[third], entered_, stack_);
+      enter_back(input, coordinates.fans());
     }
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t t = region_at(k, 0);
-      corner_[k] = {t, seen_from(input, corners[k], triangles_[t].side).weights};
+      corner_[k] = {t, seen_from(input, corners[k], triangles_.side(t)).weights};
     }
   }
 
   /// returns the triangles.
-  const Development<>& triangles() const { return triangles_; }
+  const Triangle_strips& triangles() const { return triangles_; }
   /// returns the number of the last triangle.
   std::uint32_t last() const { return triangles_.last(); }
   /// returns a corner of the face.
@@ -147,7 +148,7 @@ public:
   /// returns the triangle that is entered over the side of a triangle opposite a corner: itself,
   /// another one, or `none`.
   std::uint32_t entered_over(std::uint32_t t, unsigned opposite) const {
-    return t > 0 && opposite == 2 ? t : triangles_[t].beyond[(opposite + 1) % 3];
+    return t > 0 && opposite == 2 ? t : triangles_.entered_over(t, (opposite + 1) % 3);
   }
   /// returns the triangles that are entered from a triangle, two at most.
   boost::container::small_vector<std::uint32_t, 2> children(std::uint32_t t) const;
@@ -194,14 +195,17 @@ private:
     return static_cast<std::uint32_t>(along_ + curves_.cutting[k] - passed);
   }
 
+  // the second strip, over curves that were found on the way back
+  void enter_back(const Input& input, const Vertex_fans& fans);
+
   std::array<std::uint32_t, 3> sides_{};
   Corner_coordinates curves_{};
   unsigned first_ = 0;          // corner from which the strip along a side starts
   unsigned fan_ = 3;            // corner opposite that side, if curves emanate from it
   Normal_coordinate along_ = 0; // number of curves across that side
-  Development<> triangles_;
+  Triangle_strips triangles_;
   std::array<Corner, 3> corner_{};
-  std::vector<std::uint32_t> entered_;
+  std::vector<Crossing_run> entered_;
   std::vector<Curve_bundle> stack_;
   std::size_t steps_ = 0;
 };

@@ -5,7 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_KEPT_CROSSINGS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,11 +27,11 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
-\brief keeps a short list of numbers per edge.
+\brief keeps a short list of runs of crossings per edge.
 
-A record stores up to three numbers, enough for most edges. A longer list is in a block of one
-array; its length determines the size of the block, a power of two. Free blocks are linked per size.
-So changes of a list seldom allocate memory, and a copy copies two arrays.
+A record stores up to two runs, enough for most edges. A longer list is in a block of one array; its
+length determines the size of the block, a power of two. Free blocks are linked per size. So changes
+of a list seldom allocate memory, and a copy copies two arrays.
 */
 class Crossing_lists {
 public:
@@ -43,7 +46,7 @@ public:
   }
 
   /// returns a list, valid until one is changed.
-  std::span<const std::uint32_t> operator[](std::size_t i) const {
+  std::span<const Crossing_run> operator[](std::size_t i) const {
     const List& l = lists_[i];
     return {l.size <= short_size ? l.data.data() : block(l), l.size};
   }
@@ -60,14 +63,14 @@ public:
   }
 
   /// replaces a list; allocates no memory if there is room for the new one, or if it goes back to
-  /// what it was before the last change. \pre `values` are not in another list
+  /// the length that it had before the last change. \pre `runs` are not in another list
   /// \complexity linear in its length
-  void assign(std::size_t i, std::span<const std::uint32_t> values) {
+  void assign(std::size_t i, std::span<const Crossing_run> runs) {
     List& l = lists_[i];
-    const auto size = static_cast<std::uint32_t>(values.size());
+    const auto size = static_cast<std::uint32_t>(runs.size());
     if (l.size > short_size || size > short_size) change_block(l, size);
     l.size = size;
-    std::copy(values.begin(), values.end(), size <= short_size ? l.data.data() : block(l));
+    std::copy(runs.begin(), runs.end(), size <= short_size ? l.data.data() : block(l));
   }
 
   /// empties a list.
@@ -75,35 +78,38 @@ public:
 
 private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  static constexpr std::uint32_t short_size = 3; // fills 16 bytes, together with the size
-  static constexpr std::uint32_t unit = 4;       // size of the smallest block
+  static constexpr std::uint32_t short_size = 2;
+  static constexpr std::uint32_t unit = 4; // size of the smallest block
 
   struct List {
     std::uint32_t size = 0;
-    std::array<std::uint32_t, short_size> data{}; // the first is the place of a block, in units
+    // the first of the first one is the place of a block, in units
+    std::array<Crossing_run, short_size> data{};
   };
 
   // blocks of class c have 2^c units
   static unsigned block_class(std::uint32_t size) {
     return static_cast<unsigned>(std::bit_width((size - 1) / unit));
   }
-  const std::uint32_t* block(const List& l) const {
-    return blocks_.data() + std::size_t{unit} * l.data[0];
+  const Crossing_run* block(const List& l) const {
+    return blocks_.data() + std::size_t{unit} * l.data[0].first();
   }
-  std::uint32_t* block(const List& l) { return blocks_.data() + std::size_t{unit} * l.data[0]; }
+  Crossing_run* block(const List& l) {
+    return blocks_.data() + std::size_t{unit} * l.data[0].first();
+  }
 
   void change_block(List& l, std::uint32_t size) {
     const bool had = l.size > short_size, has = size > short_size;
     if (had && has && block_class(l.size) == block_class(size)) return;
     const std::uint32_t taken = has ? take(block_class(size)) : none;
-    if (had) give_back(l.data[0], block_class(l.size));
-    l.data[0] = taken;
+    if (had) give_back(l.data[0].first(), block_class(l.size));
+    l.data[0] = {taken, 0};
   }
 
   std::uint32_t take(unsigned c) {
     const std::uint32_t first = free_[c];
     if (first != none) {
-      free_[c] = blocks_[std::size_t{unit} * first];
+      free_[c] = blocks_[std::size_t{unit} * first].first();
       return first;
     }
     const auto place = static_cast<std::uint32_t>(blocks_.size() / unit);
@@ -112,12 +118,12 @@ private:
   }
 
   void give_back(std::uint32_t place, unsigned c) {
-    blocks_[std::size_t{unit} * place] = free_[c];
+    blocks_[std::size_t{unit} * place] = {free_[c], 0};
     free_[c] = place;
   }
 
   std::vector<List> lists_;
-  std::vector<std::uint32_t> blocks_;
+  std::vector<Crossing_run> blocks_;
   std::array<std::uint32_t, 32> free_; // first free block of each class; it names the next one
 };
 
@@ -157,27 +163,21 @@ void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sid
   }
 }
 
-// Copies the input halfedges entered by a halfedge, from one position to another, of all those that
-// the even halfedge of its edge enters.
-inline void copy_entered(std::span<const std::uint32_t> all, std::uint32_t h,
-                         Normal_coordinate first, Normal_coordinate last, std::uint32_t* to) {
-  if (h % 2 == 0) {
-    std::copy(all.begin() + first, all.begin() + last, to);
-  } else {
-    const std::uint32_t* from = all.data() + all.size() - first;
-    for (Normal_coordinate i = first; i < last; ++i) *to++ = *--from ^ 1U;
-  }
-}
-
 /*!
 \brief keeps the input halfedges that each intrinsic edge crosses, see `Explicit_crossings`, once
 following curves has taken as long as storing them (see `decide()`); nothing before. Its owner has
 the normal coordinates and announces moves.
+
+It stores them as runs. A part of 11,656 faces, half of them slivers with a common corner, has 17
+million crossings once it is refined to 25 degrees: one by one they took 128 megabytes, and moving
+them a third of the time of refinement.
 */
 class Kept_crossings {
 public:
   /// Normal coordinates of three sides.
   using Normals = std::array<Normal_coordinate, 3>;
+  /// What an edge crosses.
+  using Runs = std::vector<Crossing_run>;
 
   /// tells whether crossings are kept. All functions below except the next three require it.
   explicit operator bool() const { return are_kept_; }
@@ -185,7 +185,7 @@ public:
   /// keeps crossings permanently, from a triangulation without crossings on.
   void keep_always(std::size_t number_of_edges);
   /// keeps crossings permanently, starting with the given ones.
-  void keep_always(const Edge_crossings& all);
+  void keep_always(const Vertex_fans& fans, const Edge_crossings& all);
 
   /*!
   \brief decides whether to keep crossings.
@@ -216,37 +216,32 @@ public:
     std::size_t all = 0;
     for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e)
       all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
-    if (all <= most) keep(follow_rows_of_curves(t, coordinates));
+    if (all <= most) keep(coordinates.fans(), follow_rows_of_curves(t, coordinates));
   }
 
   /// forgets crossings that need not be kept, if there are too many together with `more` of them on
   /// an edge to come.
   void forget_beyond(std::size_t edges, Normal_coordinate more);
 
-  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
-  std::span<const std::uint32_t> entered_on(std::uint32_t edge) const { return lists_[edge]; }
-  /// copies the input halfedges of the faces that intrinsic halfedge `h` enters, from one position
-  /// to another.
-  void copy_entered_by(std::uint32_t h, Normal_coordinate first, Normal_coordinate last,
-                       std::uint32_t* to) const {
-    copy_entered(lists_[h / 2], h, first, last, to);
-  }
-  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position`
-  /// others.
-  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
-    const std::span<const std::uint32_t> list = lists_[h / 2];
-    const auto p = static_cast<std::size_t>(position);
-    return h % 2 == 0 ? list[p] : list[list.size() - 1 - p] ^ 1U;
+  /// visits the runs of input halfedges of the faces that intrinsic halfedge `h` enters, from one
+  /// position to another.
+  template <std::invocable<const Crossing_run&> Visit>
+  void for_each_run_of(const Vertex_fans& fans, std::uint32_t h, Normal_coordinate first,
+                       Normal_coordinate last, const Visit& visit) const {
+    for_each_run(fans, lists_[h / 2], h % 2 != 0, static_cast<std::uint32_t>(first),
+                 static_cast<std::uint32_t>(last), visit);
   }
 
   /*!
   \brief finds the crossings of the edge that a flip makes.
+  \param fans the halfedges around the vertices of the input
   \param f, g how curves run in the two faces, with corners i, j, k and j, i, m
   \param n_ki, n_im numbers of crossings of these edges
   \param along the input halfedge along which ji runs; none if it runs across faces
   */
-  void announce(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g,
-                Normal_coordinate n_ki, Normal_coordinate n_im, std::uint32_t along);
+  void announce(const Vertex_fans& fans, const Flip& move, const Corner_coordinates& f,
+                const Corner_coordinates& g, Normal_coordinate n_ki, Normal_coordinate n_im,
+                std::uint32_t along);
   /// makes room for the announced crossings, before they are stored.
   void make_room() {
     lists_.make_room_for({announced_[0].size(), announced_[1].size(), announced_[2].size()});
@@ -257,14 +252,15 @@ public:
     lists_.make_room(number_of_edges);
   }
   /// stores the announced crossings of a flip, whose new edge has `n` of them.
-  void store(const Flip& move, Normal_coordinate n);
+  void store(const Vertex_fans& fans, const Flip& move, Normal_coordinate n);
 
   /// finds the crossings of the edges from the corners of a face to a region of it.
-  void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
-                const Face_region& region);
+  void announce(const Vertex_fans& fans, const std::array<std::uint32_t, 3>& sides,
+                const Normals& normals, const Face_region& region);
   /// stores the announced `n` crossings of the edge from corner `k`, whose halfedge starts there.
-  void store_spoke(unsigned k, std::uint32_t halfedge, Normal_coordinate n) {
-    store(halfedge, n, announced_[k]);
+  void store_spoke(const Vertex_fans& fans, unsigned k, std::uint32_t halfedge,
+                   Normal_coordinate n) {
+    store(fans, halfedge, n, announced_[k]);
   }
   /// forgets crossings that need not be kept.
   void forget();
@@ -278,41 +274,39 @@ public:
   }
 
 private:
-  // Steps per edge after which storing is tried, and the most crossings per edge, on average: these
-  // take half a kilobyte, in numbers of 32 bits. They bound time and memory at worst: refining 13
-  // meshes of the data set, three of them stretched by 100, takes as long with any value.
+  // Steps per edge after which storing is tried, and the most crossings per edge, on average. They
+  // bound time and memory at worst: refining 13 meshes of the data set, three of them stretched by
+  // 100, takes as long with any value.
   static constexpr std::size_t patience = 32, most_per_edge = 128;
-  // So many are always few: 128 megabytes. A part of 11,656 faces, half of them slivers with a
-  // common corner, has 17 million once it is refined to 25 degrees; following them takes longer.
+  // So many are always few: 128 megabytes, while curves are followed.
   static constexpr std::size_t always_few = std::size_t(1) << 25U;
   static std::size_t most(std::size_t edges) { return std::max(most_per_edge * edges, always_few); }
 
-  void keep(const Edge_crossings& all);
+  void keep(const Vertex_fans& fans, const Edge_crossings& all);
 
   // Appends input halfedges entered by a halfedge to a list.
   struct Appender {
-    const Crossing_lists& from;
-    std::vector<std::uint32_t>& list;
+    const Kept_crossings& from;
+    const Vertex_fans& fans;
+    Runs& list;
 
     void operator()(std::uint32_t h, Normal_coordinate first, Normal_coordinate last) const {
-      if (first >= last) return;
-      const std::span<const std::uint32_t> all = from[h / 2];
-      const std::size_t size = list.size();
-      list.resize(size + static_cast<std::size_t>(last - first));
-      copy_entered(all, h, first, last, list.data() + size);
+      if (first < last)
+        from.for_each_run_of(fans, h, first, last,
+                             [this](const Crossing_run& r) { append_run(fans, list, r); });
     }
   };
 
   // lists are stored along even halfedges
-  void store(std::uint32_t h, [[maybe_unused]] Normal_coordinate n,
-             std::vector<std::uint32_t>& list);
+  void store(const Vertex_fans& fans, std::uint32_t h, [[maybe_unused]] Normal_coordinate n,
+             Runs& list);
 
   bool are_kept_ = false, is_decided_ = false;
   std::size_t steps_ = 0; // since it was last decided
   Crossing_lists lists_;
-  std::size_t size_ = 0; // number of crossings
+  std::size_t size_ = 0; // number of runs
   // lists of new edges of the move that has been announced
-  std::array<std::vector<std::uint32_t>, 3> announced_;
+  std::array<Runs, 3> announced_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

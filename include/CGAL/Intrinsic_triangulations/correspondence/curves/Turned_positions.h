@@ -4,15 +4,16 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TURNED_POSITIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TURNED_POSITIONS_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Triangle_strips.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Turn_products.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -36,8 +37,8 @@ public:
 
   /// develops triangles, such that the first side of the first one runs from 0 to 1. All other
   /// arguments must live as long as points are asked for; the input is always the same.
-  /// \complexity linear in the number of triangles, arithmetic in the number of short turns
-  void develop(const Development<>& triangles, const Input& input, const Vertex_fans& fans,
+  /// \complexity linear in the number of triangles that are stored, and of long turns
+  void develop(const Triangle_strips& triangles, const Input& input, const Vertex_fans& fans,
                Values values);
 
   /// returns the position of a point.
@@ -61,10 +62,6 @@ public:
   const Vertex_fans& fans() const { return *fans_; }
 
 private:
-  // From so many triangles on a turn is long. Shorter ones, nearly all on meshes without needles,
-  // take less time one by one.
-  static constexpr std::uint32_t long_turn = 32;
-
   // triangles about a common corner, pivot
   struct Turn {
     std::uint32_t first, last; // points opposite the pivot
@@ -75,16 +72,17 @@ private:
     Point pivot, arm;          // its position, and the vector from it along the first side
   };
 
-  // behind the last triangle that has the same end of the first side as triangle n, all in between
-  static std::uint32_t end_of_turn(const Development<>& triangles, std::uint32_t n, unsigned end);
+  // of the triangle of a side, on points
+  Point apex_of(std::uint32_t side, const Triangle_strips::Points& points) const;
 
-  Point apex_of(const Development<>::Triangle& t) const;
-
-  Turn make_turn(const Development<>& triangles, std::uint32_t n, std::uint32_t end, unsigned pivot,
-                 std::uint32_t skipped) const;
+  Turn make_turn(const Triangle_strips& triangles, std::uint32_t n, std::uint32_t end,
+                 unsigned pivot, std::uint32_t skipped) const;
 
   // behind so many triangles of a turn
   Point placed(const Turn& t, std::uint32_t count) const;
+
+  // The point inside a turn. Each is asked for a few times, by a search and by what was found.
+  const Point& inside(const Turn& t, std::uint32_t point) const;
 
   const Input* input_ = nullptr;
   const Vertex_fans* fans_ = nullptr;
@@ -93,6 +91,13 @@ private:
   std::vector<Point> z_;    // of the points that are computed, in order
   std::vector<Turn> turns_; // long ones, in order
   mutable Turn_products<FT> products_;
+  struct Known_point {
+    std::uint32_t number;
+    Point place;
+  };
+  // points inside turns that were asked for last, and the number of all that were computed
+  mutable std::array<Known_point, 16> known_{};
+  mutable std::size_t number_of_known_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

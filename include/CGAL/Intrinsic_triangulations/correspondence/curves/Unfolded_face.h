@@ -134,9 +134,9 @@ private:
   using Corner = Face_development::Corner;
   using Rounded = Plane_vector<double>;
 
-  std::uint32_t halfedge(std::uint32_t t) const { return development().triangles()[t].side; }
+  std::uint32_t halfedge(std::uint32_t t) const { return development().triangles().side(t); }
   Point point(std::uint32_t t, std::size_t k) const {
-    return z_[development().triangles()[t].point[k]];
+    return z_[development().triangles().points(t)[k]];
   }
   static Rounded approximate(const Point& p);
   Rounded rounded_point(std::uint32_t t, std::size_t k) const { return approximate(point(t, k)); }

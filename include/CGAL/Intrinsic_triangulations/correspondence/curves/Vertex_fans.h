@@ -51,6 +51,13 @@ public:
     while (place >= fan.size) place -= fan.size;
     return fan.begin + place;
   }
+  /// returns the slot that is `count` places clockwise from `slot`.
+  std::uint32_t retreat(std::uint32_t slot, std::uint32_t count) const {
+    const Fan& fan = fan_[slot];
+    std::uint32_t place = slot - fan.begin;
+    while (place < count) place += fan.size;
+    return fan.begin + (place - count);
+  }
 
   /// returns the first slot of the fan of a slot.
   std::uint32_t first_slot(std::uint32_t slot) const { return fan_[slot].begin; }

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -55,7 +56,10 @@ std::size_t find_entered(const View& view, const Coordinates& coordinates, std::
   if (from == to) return 0;
   if constexpr (requires { coordinates.knows_crossings(); })
     if (coordinates.knows_crossings()) {
-      coordinates.copy_entered_by(h, from, to, entered.data() + from);
+      std::uint32_t* place = entered.data() + from;
+      coordinates.for_each_run_of(h, from, to, [&](const Crossing_run& run) {
+        for (std::uint32_t i = 0; i < run.count(); ++i) *place++ = run(coordinates.fans(), i);
+      });
       return 0;
     }
   return follow_curves(view, coordinates, {h, from, to - from, from}, stack,
@@ -84,6 +88,49 @@ std::size_t find_entered_from_face(const View& view, const Coordinates& coordina
     entered[static_cast<std::size_t>(i)] = input_halfedge(coordinates, Curve_end{last, i - from});
   return find_entered(view, coordinates, side, 0, from, entered, stack) +
          find_entered(view, coordinates, side, to, n, entered, stack);
+}
+
+/*!
+\brief appends the same as `find_entered()` to runs: those that are stored, or single ones.
+\return the number of steps along curves
+*/
+template <class View, CurveCoordinates Coordinates>
+std::size_t append_entered(const View& view, const Coordinates& coordinates, std::uint32_t h,
+                           Normal_coordinate from, Normal_coordinate to,
+                           std::vector<Crossing_run>& runs, std::vector<Curve_bundle>& stack) {
+  if (from == to) return 0;
+  if constexpr (requires { coordinates.knows_crossings(); })
+    if (coordinates.knows_crossings()) {
+      coordinates.for_each_run_of(h, from, to,
+                                  [&](const Crossing_run& run) { runs.push_back(run); });
+      return 0;
+    }
+  const std::size_t before = runs.size();
+  runs.resize(before + static_cast<std::size_t>(to - from));
+  return follow_curves(
+      view, coordinates, {h, from, to - from, 0}, stack,
+      [&](Normal_coordinate i, const Curve_end& end) {
+        runs[before + static_cast<std::size_t>(i)] = {input_halfedge(coordinates, end) ^ 1U, 1};
+      });
+}
+
+/// appends the same as `find_entered_from_face()`.
+template <class View, CurveCoordinates Coordinates>
+std::size_t append_entered_from_face(const View& view, const Coordinates& coordinates,
+                                     std::uint32_t side, std::vector<Crossing_run>& runs,
+                                     std::vector<Curve_bundle>& stack) {
+  const Corner_coordinates c = corner_coordinates(view, coordinates, side);
+  const Normal_coordinate n = crossings(coordinates.normal_coordinate(side / 2)),
+                          count = c.emanating[2], from = count > 0 ? c.cutting[0] : n;
+  const std::size_t steps = append_entered(view, coordinates, side, 0, from, runs, stack);
+  const std::uint32_t last = view.next(view.next(side));
+  if (count > 2) // from a vertex on an input edge, only two start
+    runs.emplace_back(input_halfedge(coordinates, Curve_end{last, 0}),
+                      static_cast<std::uint32_t>(count));
+  else
+    for (Normal_coordinate i = 0; i < count; ++i)
+      runs.emplace_back(input_halfedge(coordinates, Curve_end{last, i}), 1);
+  return steps + append_entered(view, coordinates, side, from + count, n, runs, stack);
 }
 
 /// returns all of them.

@@ -60,7 +60,7 @@ public:
     const Edge_crossings all =
         edge_crossings(t, coordinates); // may throw: nothing has changed then
     Integer_coordinates::restore(t, std::move(coordinates));
-    kept_.keep_always(all);
+    kept_.keep_always(fans(), all);
   }
 
   /// returns the input halfedge that intrinsic halfedge `h` runs along, or along a part of which;

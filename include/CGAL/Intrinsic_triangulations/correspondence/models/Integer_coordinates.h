@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -106,19 +108,18 @@ public:
   std::uint32_t roundabout(std::uint32_t halfedge) const { return roundabout_[halfedge]; }
   /// tells whether the input edges that cross each intrinsic edge are stored.
   bool knows_crossings() const { return bool(kept_); }
-  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
-  /// \pre see above
-  auto entered_on(std::uint32_t edge) const { return kept_.entered_on(edge); }
+  /// visits the input halfedges of the faces that intrinsic halfedge `h` enters, from one position
+  /// to another, in runs. \pre see above
+  template <std::invocable<const Crossing_run&> Visit>
+  void for_each_run_of(std::uint32_t h, Normal_coordinate first, Normal_coordinate last,
+                       const Visit& visit) const {
+    kept_.for_each_run_of(fans_, h, first, last, visit);
+  }
+  /// returns those that intrinsic halfedge `2 * edge` enters, in order. \pre see above
+  std::vector<std::uint32_t> entered_on(std::uint32_t edge) const;
   /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position`
-  /// others. \pre see above
-  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
-    return kept_.entered_by(h, position);
-  }
-  /// copies those that it enters from one position to another. \pre see above
-  void copy_entered_by(std::uint32_t h, Normal_coordinate first, Normal_coordinate last,
-                       std::uint32_t* to) const {
-    kept_.copy_entered_by(h, first, last, to);
-  }
+  /// others. \pre see above \complexity linear in the number of runs
+  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const;
   /// stores the crossings of each edge, unless they are very many. \complexity linear in crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {
@@ -150,7 +151,7 @@ public:
     if (flipped_ > maximal_normal_coordinate) return false;
     kept_.forget_beyond(normal_.size(), crossings(flipped_));
     if (kept_)
-      kept_.announce(move, f, g, crossings(left[2]), crossings(right[1]),
+      kept_.announce(fans_, move, f, g, crossings(left[2]), crossings(right[1]),
                      left[0] < 0 ? fans_.halfedge(roundabout_[move.ij ^ 1U]) : Gluing::none);
     return true;
   }
@@ -176,7 +177,7 @@ public:
     normal_[move.ij / 2] = flipped_;
     update_roundabout(move.km, move.ki, move.im);
     update_roundabout(move.km ^ 1U, move.mj, move.jk);
-    if (kept_) kept_.store(move, flipped_);
+    if (kept_) kept_.store(fans_, move, flipped_);
   }
 
   /// announces the insertion of a vertex in a face.
@@ -283,7 +284,7 @@ private:
     if (n.along_side) n.normal[0] = n.normal[1] = -1;
     for (unsigned k = 0; k < 3; ++k)
       n.roundabout[k] = turned(sides[k], n.region.fan_corner == k ? n.region.right_of_fan : 0);
-    if (kept_) kept_.announce(sides, normals(sides), n.region);
+    if (kept_) kept_.announce(fans_, sides, normals(sides), n.region);
     return true;
   }
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -141,12 +142,18 @@ public:
   }
 
 private:
+  template <class Metric>
+  static constexpr bool stores_doubles = requires(const Metric& m) {
+    { m.squared_length(0U) } -> std::same_as<const double&>;
+    { m.quadruple_area(0U) } -> std::same_as<const double&>;
+  };
+
   static double squared(double length, int scale_exponent) {
     return std::ldexp(length * length, 2 * scale_exponent);
   }
 
-  // Most faces are good, and three signs of intervals cost more than one bound: the least angle is
-  // opposite the shortest side.
+  // Most faces are good, and three signs cost more than one bound: the least angle is opposite the
+  // shortest side.
   template <class Metric>
   bool has_certainly_no_small_angle(const Metric& metric, const Indexed_face& face) const {
     if constexpr (internal::Has_enclosures<Metric>) {
@@ -157,6 +164,13 @@ private:
       const double least = std::min({a.inf(), b.inf(), c.inf()}),
                    shape = a.sup() + b.sup() + c.sup() + -2 * least;
       return shape + -cotangent_ * metric.quadruple_area(face.face).inf() <= 0;
+    } else if constexpr (stores_doubles<Metric>) {
+      const double a = metric.squared_length(face.edges[0]),
+                   b = metric.squared_length(face.edges[1]),
+                   c = metric.squared_length(face.edges[2]), sum = a + b + c;
+      // by more than the rounding errors of these signs
+      return sum - 2 * std::min({a, b, c}) + 0x1p-48 * sum <=
+             (1 - 0x1p-48) * cotangent_ * metric.quadruple_area(face.face);
     } else {
       return false;
     }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -42,13 +43,14 @@ as long as they are faces: a million moves on one spot stay within 2^-30 of the 
 below. Wrong lengths do not span the area of their faces: if they fit it to 2^-16, so do the angles
 of faces that are not thin.
 
-With exact traits it does nothing; otherwise the time is linear.
+With exact traits it does nothing; otherwise the time is linear. Before, it only reads areas and
+lengths in the order of storage, a tenth of the time of `measure()`.
 */
 template <class Triangulation>
 class Surface_check {
 public:
   explicit Surface_check(const Triangulation& t) : t_(t) {
-    if constexpr (!Triangulation::Metric::is_exact) before_ = measure();
+    if constexpr (!Triangulation::Metric::is_exact) before_ = measure_before();
   }
 
   /// returns the damage since construction.
@@ -90,6 +92,29 @@ private:
     double discrepancy = 0; // the largest
     std::int64_t euler_characteristic = 0;
   };
+
+  // without discrepancies; faces are looked at one by one only if some are bad
+  Measure measure_before() const {
+    Measure m;
+    double least = std::numeric_limits<double>::infinity(), greatest = 0;
+    const auto note = [&](double x) {
+      least = x > 0 ? std::min(least, x) : 0;
+      greatest = std::max(greatest, x);
+    };
+    for (const auto f : faces(t_.mesh())) {
+      const double area = t_.metric().approximate_quadruple_area(t_.index(f));
+      m.area += area;
+      note(area);
+      ++m.euler_characteristic;
+    }
+    for (const auto e : edges(t_.mesh())) {
+      note(t_.metric().approximate_squared_length(t_.index(e)));
+      --m.euler_characteristic;
+    }
+    const auto& vertex_range = vertices(t_.mesh());
+    m.euler_characteristic += std::distance(vertex_range.begin(), vertex_range.end());
+    return least > 0 && std::isfinite(greatest) ? m : measure();
+  }
 
   Measure measure() const {
     Measure m;

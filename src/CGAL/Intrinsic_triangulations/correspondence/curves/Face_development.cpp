@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Triangle_strips.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -22,8 +23,8 @@ std::optional<unsigned> Face_development::shared_corner(std::uint32_t triangle,
                                                         const Corner& c) const {
   for (unsigned m = 0; m < 3; ++m) {
     if (c.weights[m] != 1) continue;
-    const auto& points = triangles_[triangle].point;
-    const auto p = std::find(points.begin(), points.end(), triangles_[c.triangle].point[m]);
+    const Triangle_strips::Points points = triangles_.points(triangle);
+    const auto p = std::find(points.begin(), points.end(), triangles_.points(c.triangle)[m]);
     if (p != points.end()) return static_cast<unsigned>(p - points.begin());
   }
   return std::nullopt;
@@ -33,8 +34,14 @@ boost::container::small_vector<std::uint32_t, 2> Face_development::children(std:
   boost::container::small_vector<std::uint32_t, 2> result;
   const auto branch = static_cast<std::uint32_t>(along_) + 1;
   for (const std::uint32_t child : {t + 1, branch})
-    if (child <= last() && triangles_[child].parent() == t) result.push_back(child);
+    if (child <= last() && triangles_.parent(child) == t) result.push_back(child);
   return result;
+}
+
+void Face_development::enter_back(const Input& input, const Vertex_fans& fans) {
+  std::reverse(entered_.begin(), entered_.end());
+  for (Crossing_run& run : entered_) run = run.reversed(fans);
+  triangles_.enter(input, fans, region_at(first_, curves_.cutting[first_]), entered_);
 }
 
 bool Face_development::name_curve(std::uint32_t child, Face_region& r) const {

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Triangle_strips.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Turned_positions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
@@ -20,21 +20,22 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 template <FieldNumber FT>
-void Turned_positions<FT>::develop(const Development<>& triangles, const Input& input,
+void Turned_positions<FT>::develop(const Triangle_strips& triangles, const Input& input,
                                    const Vertex_fans& fans, Values values) {
   input_ = &input;
   fans_ = &fans;
   values_ = std::move(values);
-  unit_ = values_(triangles[0].side).squared_lengths[0];
+  unit_ = values_(triangles.side(0)).squared_lengths[0];
   z_.assign({{FT(0), FT(0)}, {FT(1), FT(0)}});
   turns_.clear();
+  number_of_known_ = 0;
   std::uint32_t skipped = 0;
   for (std::uint32_t n = 0; n < triangles.size();) {
-    const std::uint32_t about_source = end_of_turn(triangles, n, 0),
-                        about_target = end_of_turn(triangles, n, 1),
+    const std::uint32_t about_source = triangles.end_of_turn(n, 0),
+                        about_target = triangles.end_of_turn(n, 1),
                         end = std::max(about_source, about_target);
-    if (end - n < long_turn) {
-      for (; n < end; ++n) z_.push_back(apex_of(triangles[n]));
+    if (end - n < Triangle_strips::long_turn) {
+      for (; n < end; ++n) z_.push_back(apex_of(triangles.side(n), triangles.points(n)));
     } else {
       skipped += end - n - 1;
       const Turn turn = make_turn(triangles, n, end, about_source == end ? 0 : 1, skipped);
@@ -52,41 +53,45 @@ typename Turned_positions<FT>::Point Turned_positions<FT>::operator[](std::uint3
                        [](std::uint32_t p, const Turn& turn) { return p < turn.first; });
   if (after == turns_.begin()) return z_[point];
   const Turn& turn = *(after - 1);
-  if (point < turn.last) return placed(turn, point - turn.first + 1);
+  if (point < turn.last) return inside(turn, point);
   return z_[point - turn.skipped];
 }
 
 template <FieldNumber FT>
-std::uint32_t Turned_positions<FT>::end_of_turn(const Development<>& triangles, std::uint32_t n,
-                                                unsigned end) {
-  std::uint32_t next = n + 1;
-  while (next < triangles.size() && triangles[next].parent() == next - 1 &&
-         triangles[next].point[end] == triangles[n].point[end])
-    ++next;
-  return next;
-}
-
-template <FieldNumber FT>
 typename Turned_positions<FT>::Point
-Turned_positions<FT>::apex_of(const Development<>::Triangle& t) const {
-  const Face_values<FT> v = values_(t.side);
+Turned_positions<FT>::apex_of(std::uint32_t side, const Triangle_strips::Points& points) const {
+  const Face_values<FT> v = values_(side);
   const auto& l = v.squared_lengths;
   const Point a = apex(l[0], l[1], l[2], v.quadruple_area);
-  if (t.point[2] == 2) return a;
-  const Point from = (*this)[t.point[0]];
-  return from + ((*this)[t.point[1]] - from) * a;
+  if (points[2] == 2) return a;
+  const Point from = (*this)[points[0]];
+  return from + ((*this)[points[1]] - from) * a;
 }
 
 template <FieldNumber FT>
 typename Turned_positions<FT>::Turn
-Turned_positions<FT>::make_turn(const Development<>& triangles, std::uint32_t n, std::uint32_t end,
-                                unsigned pivot, std::uint32_t skipped) const {
-  const Development<>::Triangle& t = triangles[n];
-  const Point z = (*this)[t.point[pivot]];
+Turned_positions<FT>::make_turn(const Triangle_strips& triangles, std::uint32_t n,
+                                std::uint32_t end, unsigned pivot, std::uint32_t skipped) const {
+  const std::uint32_t side = triangles.side(n);
+  const Triangle_strips::Points points = triangles.points(n);
+  const Point z = (*this)[points[pivot]];
   return {n + 2,      end + 1,
-          skipped,    fans_->slot(t.side ^ pivot),
-          pivot == 1, values_(t.side).squared_lengths[0],
-          z,          (*this)[t.point[1 - pivot]] - z};
+          skipped,    fans_->slot(side ^ pivot),
+          pivot == 1, values_(side).squared_lengths[0],
+          z,          (*this)[points[1 - pivot]] - z};
+}
+
+template <FieldNumber FT>
+const typename Turned_positions<FT>::Point&
+Turned_positions<FT>::inside(const Turn& t, std::uint32_t point) const {
+  const auto end = known_.begin() + std::min(number_of_known_, known_.size());
+  const auto found =
+      std::find_if(known_.begin(), end, [&](const Known_point& k) { return k.number == point; });
+  if (found != end) return found->place;
+  Known_point& next = known_[number_of_known_ % known_.size()];
+  next = {point, placed(t, point - t.first + 1)};
+  ++number_of_known_;
+  return next.place;
 }
 
 template <FieldNumber FT>

@@ -5,7 +5,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
@@ -216,7 +215,7 @@ std::optional<Place_in_face> Unfolded_face<FT>::at(std::uint32_t t, const Surfac
   if (zero != p.weights.end()) {
     const auto opposite = static_cast<unsigned>(zero - p.weights.begin());
     const std::uint32_t child = development().entered_over(t, opposite);
-    if (child == Development<>::none || !put_on_curve(child, opposite, p.weights, result))
+    if (child == Triangle_strips::none || !put_on_curve(child, opposite, p.weights, result))
       return std::nullopt;
     return result;
   }

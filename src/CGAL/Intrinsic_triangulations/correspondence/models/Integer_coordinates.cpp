@@ -1,7 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Crossing_run.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
@@ -30,6 +33,21 @@ Integer_coordinates::Integer_coordinates(std::shared_ptr<const Input> input, Ver
                                          std::vector<Surface_point> location)
     : input_(std::move(input)), fans_(std::move(fans)), normal_(std::move(normal)),
       roundabout_(std::move(roundabout)), location_(std::move(location)) {}
+
+std::vector<std::uint32_t> Integer_coordinates::entered_on(std::uint32_t edge) const {
+  std::vector<std::uint32_t> result;
+  for_each_run_of(2 * edge, 0, crossings(normal_[edge]), [&](const Crossing_run& run) {
+    for (std::uint32_t i = 0; i < run.count(); ++i) result.push_back(run(fans_, i));
+  });
+  return result;
+}
+
+std::uint32_t Integer_coordinates::entered_by(std::uint32_t h, Normal_coordinate position) const {
+  std::uint32_t entered = Gluing::none;
+  for_each_run_of(h, position, position + 1,
+                  [&](const Crossing_run& run) { entered = run.first(); });
+  return entered;
+}
 
 void Integer_coordinates::make_room(std::uint32_t vertices, std::uint32_t edges) {
   reserve_at_least(location_, vertices - input_->number_of_vertices());
@@ -86,7 +104,7 @@ void Integer_coordinates::follow(const Insertion_in_face& move) {
     normal_[to[k] / 2] = insertion_.normal[k];
     roundabout_[to[k]] = insertion_.roundabout[k];
     roundabout_[to[k] ^ 1U] = Gluing::none;
-    if (kept_) kept_.store_spoke(k, to[k], insertion_.normal[k]);
+    if (kept_) kept_.store_spoke(fans_, k, to[k], insertion_.normal[k]);
   }
   if (insertion_.along_side)
     start_curves_on_side(move.sides[0], to);
@@ -106,7 +124,7 @@ void Integer_coordinates::follow(const Insertion_on_border& move) {
   roundabout_[pj] = slot;
   roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
   // parts of the border edge have no crossings
-  if (kept_) kept_.store_spoke(2, pk ^ 1U, insertion_.normal[2]);
+  if (kept_) kept_.store_spoke(fans_, 2, pk ^ 1U, insertion_.normal[2]);
 }
 
 void Integer_coordinates::follow(const Removal_from_face& move) {
