@@ -47,8 +47,8 @@ Number conjugate(const Number& x) {
 }
 inline std::complex<double> conjugate(const std::complex<double>& x) { return std::conj(x); }
 
-// Assembles a symmetric or Hermitian matrix in its own memory: a list of entries would take more than
-// the matrix. Entries are counted by columns, added in their order, and sorted there.
+// Assembles a symmetric or Hermitian matrix in its own memory: a list of entries would take more
+// than the matrix. Entries are counted by columns, added in their order, and sorted there.
 template <class Number = double>
 class Symmetric_columns {
 public:
