@@ -6,13 +6,10 @@
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
