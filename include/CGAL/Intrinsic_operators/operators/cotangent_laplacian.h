@@ -64,25 +64,25 @@ void for_each_cotangent_weight(const Triangulation& t, const Visit& visit) {
   }
 }
 
-// The negative weights of edges that join two vertices, unless they are zero, in columns.
+// Calls a function with the rows of the ends of an edge, unless they are the same.
+template <class Triangulation, class Visit>
+void for_rows_of_ends(const Triangulation& t, typename Triangulation::edge_descriptor e,
+                      const Visit& visit) {
+  const typename Triangulation::halfedge_descriptor h = halfedge(e, t.mesh());
+  const auto i = static_cast<int>(t.input_vertex(source(h, t.mesh()))),
+             j = static_cast<int>(t.input_vertex(target(h, t.mesh())));
+  if (i != j) visit(i, j);
+}
+
+// Adds the negative weights of edges, unless they are zero.
 template <class Triangulation>
-Symmetric_columns<> cotangent_columns(const Triangulation& t, int size) {
-  const auto& mesh = t.mesh();
+void add_cotangent_entries(const Triangulation& t, Symmetric_columns<>& columns) {
   using Edge = typename Triangulation::edge_descriptor;
-  const auto for_ends = [&](Edge e, const auto& visit) {
-    const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh);
-    const auto i = static_cast<int>(t.input_vertex(source(h, mesh))),
-               j = static_cast<int>(t.input_vertex(target(h, mesh)));
-    if (i != j) visit(i, j);
-  };
-  Symmetric_columns<> columns(size, [&](const auto& count) {
-    for (const Edge e : edges(mesh)) for_ends(e, count);
-  });
   for_each_cotangent_weight(t, [&](Edge e, double weight) {
-    if (weight != 0)
-      for_ends(e, [&](int i, int j) { columns.add(i, j, -weight / t.input().names().sheets); });
+    if (weight == 0) return;
+    for_rows_of_ends(t, e,
+                     [&](int i, int j) { columns.add(i, j, -weight / t.input().names().sheets); });
   });
-  return columns;
 }
 
 // Refuses zero rows of vertices with edges to others: the diagonal entry is the Dirichlet energy of
@@ -141,7 +141,12 @@ Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
   std::vector<char> is_zero(static_cast<std::size_t>(size), 0);
   bool has_zero = false;
-  auto result = internal::cotangent_columns(t, size).matrix([&](int column, const auto& entries) {
+  internal::Symmetric_columns<> columns(size, [&t](const auto& count) {
+    for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
+      internal::for_rows_of_ends(t, e, count);
+  });
+  internal::add_cotangent_entries(t, columns);
+  auto result = columns.matrix([&](int column, const auto& entries) {
     double sum = 0;
     for (const double x : entries) sum -= x;
     if (sum == 0) is_zero[static_cast<std::size_t>(column)] = has_zero = true;

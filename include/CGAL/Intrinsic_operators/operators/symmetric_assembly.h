@@ -67,6 +67,18 @@ public:
     matrix_.resizeNonZeros(first[size]);
   }
 
+  // Adds given entries.
+  template <class Given>
+  Symmetric_columns(const std::vector<Given>& entries, int size)
+      : Symmetric_columns(size, [&](const auto& count) {
+          for (const Given& e : entries) count(e.i, e.j);
+        }) {
+    for (const Given& e : entries) add(e.i, e.j, e.value);
+  }
+
+  Symmetric_columns(const Symmetric_columns&) = delete; // it may be large
+  Symmetric_columns& operator=(const Symmetric_columns&) = delete;
+
   // Adds an entry, which stands for (i, j), and its conjugate for (j, i).
   void add(int i, int j, const Number& value) {
     append(i, j, conjugate(value));
@@ -175,16 +187,6 @@ private:
   Eigen::SparseMatrix<Number> matrix_; // columns with room, until it is complete
   std::vector<int> end_;               // of each column
 };
-
-// The columns of given entries.
-template <class Number, class Given>
-Symmetric_columns<Number> columns_of(const std::vector<Given>& entries, int size) {
-  Symmetric_columns<Number> result(size, [&](const auto& count) {
-    for (const Given& e : entries) count(e.i, e.j);
-  });
-  for (const Given& e : entries) result.add(e.i, e.j, e.value);
-  return result;
-}
 
 } // namespace internal
 

@@ -93,7 +93,7 @@ Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) cons
   // Edges of a Delaunay triangulation have no negative weight but by rounding. Where all digits are
   // lost, the weight is as large as the error, so that no vertex comes apart from the others.
   constexpr double error = 0x1p-50;
-  return columns_of<Weight>(between, number_of_unknowns_)
+  return Symmetric_columns<Weight>(between, number_of_unknowns_)
       .matrix([](int, auto) { return Weight{}; },
               [](const Weight& w) { return std::min(-w.sum, -error * w.size); });
 }

@@ -17,7 +17,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
                                              const Eigen::VectorXd& diagonal) {
-  return internal::columns_of<double>(entries, static_cast<int>(diagonal.size()))
+  return internal::Symmetric_columns<>(entries, static_cast<int>(diagonal.size()))
       .matrix([&](int c, auto) { return diagonal[c]; });
 }
 
@@ -25,7 +25,7 @@ namespace internal {
 
 Eigen::SparseMatrix<std::complex<double>>
 hermitian_matrix(const std::vector<Hermitian_entry>& entries, const Eigen::VectorXd& diagonal) {
-  return columns_of<std::complex<double>>(entries, static_cast<int>(diagonal.size()))
+  return Symmetric_columns<std::complex<double>>(entries, static_cast<int>(diagonal.size()))
       .matrix([&](int c, auto) { return diagonal[c]; });
 }
 
