@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
@@ -256,6 +257,29 @@ void expect_matrices(const std::array<Matrix, 3>& actual, const std::array<Matri
 
 // an area of a well-shaped face is some ten roundings, the sum over a vertex as many again
 constexpr std::array<double, 3> few_roundings{1024 * epsilon, 64 * epsilon, 64 * epsilon};
+
+TEST(Matrices, hold_the_sums_of_entries_also_of_many_in_a_row) {
+  std::mt19937 random(9);
+  for (const int size : {1, 2, 60}) {
+    std::vector<IT::Symmetric_entry> entries; // row 0 has more than are sorted one by one
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
+    dense.diagonal() = Eigen::VectorXd::LinSpaced(size, 1, 2);
+    const Eigen::VectorXd diagonal = dense.diagonal();
+    for (int k = 0; size > 1 && k < 400; ++k) {
+      const int i = k % 3 == 0 ? 0 : static_cast<int>(random() % unsigned(size));
+      const int j = (i + 1 + static_cast<int>(random() % unsigned(size - 1))) % size;
+      entries.push_back({i, j, static_cast<double>(k)}); // sums are exact
+      dense(i, j) += k;
+      dense(j, i) += k;
+    }
+    const Eigen::SparseMatrix<double> m = IT::symmetric_matrix(entries, diagonal);
+    EXPECT_EQ(Eigen::MatrixXd(m), dense);
+    EXPECT_TRUE(m.isCompressed());
+    for (int c = 0; c < size; ++c)
+      for (int k = m.outerIndexPtr()[c] + 1; k < m.outerIndexPtr()[c + 1]; ++k)
+        EXPECT_LT(m.innerIndexPtr()[k - 1], m.innerIndexPtr()[k]);
+  }
+}
 
 TEST(Matrices, agree_across_mesh_types_and_arithmetics) {
   const Shape s = rough_grid(12, 0.4, 0.8, 11);

@@ -63,6 +63,20 @@ std::string text(const Matrix& m, const std::string& comment = {}) {
   return out.str();
 }
 
+TEST_F(Matrix_market, is_symmetric_where_the_transposed_matrix_is_the_same) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 3000; ++i) {
+    Triplets triplets;
+    const int size = 1 + i % 3;
+    for (int r = 0; r < size; ++r)
+      for (int c = 0; c < size; ++c)
+        if (const auto x = random() % 3; x > 0) triplets.emplace_back(r, c, double(x));
+    const Matrix m = matrix(size, size, triplets);
+    const bool is_symmetric = Eigen::MatrixXd(m) == Eigen::MatrixXd(m).transpose();
+    EXPECT_EQ(text(m).find("symmetric") != std::string::npos, is_symmetric) << m;
+  }
+}
+
 TEST_F(Matrix_market, of_a_symmetric_matrix_holds_the_lower_triangle_counted_from_one) {
   const Matrix m = matrix(3, 3, {{0, 0, 2}, {0, 1, -0.5}, {1, 0, -0.5}, {1, 1, 1e100}, {2, 2, 0}});
   EXPECT_EQ(text(m), "%%MatrixMarket matrix coordinate real symmetric\n"

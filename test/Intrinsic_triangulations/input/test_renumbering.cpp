@@ -106,6 +106,11 @@ TEST(Renumbering, large_mesh_ordered_along_random_points_is_bad_and_along_its_ow
   EXPECT_TRUE(IT::is_valid_delta_complex(m));
 }
 
+TEST(Renumbering, long_rows_of_a_grid_are_well_ordered) {
+  // rows of 9000 faces: all edges between them join faces that are far apart
+  EXPECT_FALSE(IT::is_badly_ordered(IT::Gluing_map(gallery::flat_torus(4500, 15).gluing)));
+}
+
 TEST(Renumbering, curve_survives_coordinates_near_the_limits_of_double) {
   for (const double scale : {1e300, 1.7e308, 1e-300, 0.0}) {
     Points points = gallery::disc_fan(12).points;

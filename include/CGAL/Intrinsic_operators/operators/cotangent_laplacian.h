@@ -64,19 +64,25 @@ void for_each_cotangent_weight(const Triangulation& t, const Visit& visit) {
   }
 }
 
-// the negative weight of each edge that joins two vertices, unless it is zero
+// Calls a function with the rows of the ends of an edge, unless they are the same.
+template <class Triangulation, class Visit>
+void for_rows_of_ends(const Triangulation& t, typename Triangulation::edge_descriptor e,
+                      const Visit& visit) {
+  const typename Triangulation::halfedge_descriptor h = halfedge(e, t.mesh());
+  const auto i = static_cast<int>(t.input_vertex(source(h, t.mesh()))),
+             j = static_cast<int>(t.input_vertex(target(h, t.mesh())));
+  if (i != j) visit(i, j);
+}
+
+// Adds the negative weights of edges, unless they are zero.
 template <class Triangulation>
-std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
-  const auto& mesh = t.mesh();
-  std::vector<Symmetric_entry> entries;
-  entries.reserve(num_edges(mesh));
-  for_each_cotangent_weight(t, [&](typename Triangulation::edge_descriptor e, double weight) {
-    const typename Triangulation::halfedge_descriptor h = halfedge(e, mesh);
-    const auto i = static_cast<int>(t.input_vertex(source(h, mesh)));
-    const auto j = static_cast<int>(t.input_vertex(target(h, mesh)));
-    if (i != j && weight != 0) entries.push_back({i, j, -weight / t.input().names().sheets});
+void add_cotangent_entries(const Triangulation& t, Symmetric_columns<>& columns) {
+  using Edge = typename Triangulation::edge_descriptor;
+  for_each_cotangent_weight(t, [&](Edge e, double weight) {
+    if (weight == 0) return;
+    for_rows_of_ends(t, e,
+                     [&](int i, int j) { columns.add(i, j, -weight / t.input().names().sheets); });
   });
-  return entries;
 }
 
 // Refuses zero rows of vertices with edges to others: the diagonal entry is the Dirichlet energy of
@@ -135,13 +141,17 @@ Eigen::SparseMatrix<double> cotangent_laplacian(const Triangulation& t) {
   const int size = checked_matrix_size(t);
   std::vector<char> is_zero(static_cast<std::size_t>(size), 0);
   bool has_zero = false;
-  auto result = internal::Symmetric_columns(internal::cotangent_entries(t), size)
-                    .matrix([&](int column, auto begin, auto end) {
-                      double sum = 0;
-                      for (auto i = begin; i != end; ++i) sum -= i->value;
-                      if (sum == 0) is_zero[static_cast<std::size_t>(column)] = has_zero = true;
-                      return sum;
-                    });
+  internal::Symmetric_columns<> columns(size, [&t](const auto& count) {
+    for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
+      internal::for_rows_of_ends(t, e, count);
+  });
+  internal::add_cotangent_entries(t, columns);
+  auto result = columns.matrix([&](int column, const auto& entries) {
+    double sum = 0;
+    for (const double x : entries) sum -= x;
+    if (sum == 0) is_zero[static_cast<std::size_t>(column)] = has_zero = true;
+    return sum;
+  });
   if (has_zero) internal::expect_no_lost_row(t, is_zero);
   return result;
 }

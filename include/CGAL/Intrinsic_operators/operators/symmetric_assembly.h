@@ -16,10 +16,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
-#include <numeric>
+#include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -47,87 +47,145 @@ Number conjugate(const Number& x) {
 }
 inline std::complex<double> conjugate(const std::complex<double>& x) { return std::conj(x); }
 
-// The columns of a symmetric or Hermitian matrix without its diagonal: entries are bucketed by
-// column, in the order given, and sorted there.
+// Assembles a symmetric or Hermitian matrix in its own memory: a list of entries would take more
+// than the matrix. Entries are counted by columns, added in their order, and sorted there.
 template <class Number = double>
 class Symmetric_columns {
 public:
+  // \param for_each_pair calls a function with the row and the column of each entry that will be
+  // added, or may be
+  template <class For_each_pair>
+  Symmetric_columns(int size, const For_each_pair& for_each_pair)
+      : matrix_(size, size), end_(row_number(size)) {
+    int* const first = matrix_.outerIndexPtr(); // of each column
+    for_each_pair([first](int i, int j) {
+      ++first[i + 1];
+      ++first[j + 1];
+    });
+    for (int c = 0; c < size; ++c) first[c + 1] += first[c] + 1; // with the diagonal
+    std::copy(first, first + size, end_.begin());
+    matrix_.resizeNonZeros(first[size]);
+  }
+
+  // Adds given entries.
+  template <class Given>
+  Symmetric_columns(const std::vector<Given>& entries, int size)
+      : Symmetric_columns(size, [&](const auto& count) {
+          for (const Given& e : entries) count(e.i, e.j);
+        }) {
+    for (const Given& e : entries) add(e.i, e.j, e.value);
+  }
+
+  Symmetric_columns(const Symmetric_columns&) = delete; // it may be large
+  Symmetric_columns& operator=(const Symmetric_columns&) = delete;
+
+  // Adds an entry, which stands for (i, j), and its conjugate for (j, i).
+  void add(int i, int j, const Number& value) {
+    append(i, j, conjugate(value));
+    append(j, i, value);
+  }
+
+  // Completes the matrix, of the type of the result of `entry`.
+  // \param diagonal takes a column and the values of its entries, sorted by rows; returns the entry
+  // on the diagonal
+  // \param entry takes the sum of equal entries; returns that of the matrix
+  template <class Diagonal, class Value = std::identity>
+  auto matrix(const Diagonal& diagonal, const Value& entry = {}) {
+    using Scalar = std::decay_t<std::invoke_result_t<Value, const Number&>>;
+    int* const first = matrix_.outerIndexPtr();
+    int count = 0;
+    for (int c = 0; c < matrix_.cols(); ++c) {
+      const int begin = std::exchange(first[c], count);
+      int end = merge(begin, end_[row_number(c)]);
+      const Number on_diagonal(
+          diagonal(c, std::span(values() + begin, static_cast<std::size_t>(end - begin))));
+      insert(begin, end++, c, on_diagonal);
+      std::copy(rows() + begin, rows() + end, rows() + count);
+      std::copy(values() + begin, values() + end, values() + count);
+      count += end - begin;
+    }
+    first[matrix_.cols()] = count;
+    matrix_.resizeNonZeros(count);
+    Eigen::SparseMatrix<Scalar> result; // Eigen copies what is moved
+    if constexpr (std::is_same_v<Scalar, Number>)
+      result.swap(matrix_);
+    else
+      convert(entry, result);
+    return result;
+  }
+
+private:
   struct Entry {
     int row;
     Number value;
   };
 
-  template <class Given>
-  Symmetric_columns(const std::vector<Given>& entries, int size)
-      : end_(row_number(size) + 1, 0), entries_(2 * entries.size()) {
-    for (const Given& e : entries) {
-      ++end_[row_number(e.i) + 1];
-      ++end_[row_number(e.j) + 1];
-    }
-    std::partial_sum(end_.begin(), end_.end(), end_.begin());
-    for (const Given& e : entries) {
-      entries_[end_[row_number(e.i)]++] = {e.j, conjugate(e.value)};
-      entries_[end_[row_number(e.j)]++] = {e.i, e.value};
-    }
+  int* rows() { return matrix_.innerIndexPtr(); }
+  Number* values() { return matrix_.valuePtr(); }
+
+  void append(int column, int row, const Number& value) {
+    const int to = end_[row_number(column)]++;
+    rows()[to] = row;
+    values()[to] = value;
   }
 
-  // \param diagonal takes a column and the iterator range of its sorted entries; returns the
-  // diagonal entry
-  // \param entry takes the sum of equal entries; returns that of the matrix
-  template <class Diagonal, class Value = std::identity>
-  auto matrix(const Diagonal& diagonal, const Value& entry = {}) {
-    using Scalar = std::decay_t<std::invoke_result_t<Value, const Number&>>;
-    const int size = static_cast<int>(end_.size()) - 1;
-    Eigen::SparseMatrix<Scalar> m(size, size);
-    m.resizeNonZeros(size + static_cast<Eigen::Index>(entries_.size()));
-    int count = 0;
-    const auto append = [&](int row, const Scalar& value) {
-      m.innerIndexPtr()[count] = row;
-      m.valuePtr()[count++] = value;
-    };
-    auto begin = entries_.begin();
-    for (int c = 0; c < size; ++c) {
-      const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(end_[row_number(c)]);
-      const auto last = merge(begin, end);
-      auto i = begin;
-      for (; i != last && i->row < c; ++i) append(i->row, entry(i->value));
-      append(c, diagonal(c, begin, last));
-      for (; i != last; ++i) append(i->row, entry(i->value));
-      m.outerIndexPtr()[c + 1] = count;
-      begin = end;
+  // Inserts an entry among those from `begin` to `end`, whose rows ascend, after those of its row.
+  void insert(int begin, int end, int row, const Number& value) {
+    int to = end;
+    for (; to != begin && row < rows()[to - 1]; --to) {
+      rows()[to] = rows()[to - 1];
+      values()[to] = values()[to - 1];
     }
-    m.resizeNonZeros(count);
-    return m;
+    rows()[to] = row;
+    values()[to] = value;
   }
 
-private:
-  using Iterator = typename std::vector<Entry>::iterator;
+  // Sorts entries by rows, those of the same row in their order.
+  void sort(int begin, int end) {
+    // up to there, insertion takes 0.4 to 0.7 of the time (measured), which grows with the square
+    constexpr int few = 24;
+    if (end - begin <= few) {
+      for (int i = begin; i != end; ++i) insert(begin, i, rows()[i], Number(values()[i]));
+      return;
+    }
+    std::vector<Entry> entries;
+    for (int i = begin; i != end; ++i) entries.push_back({rows()[i], values()[i]});
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.row < b.row; });
+    for (const Entry& e : entries) {
+      rows()[begin] = e.row;
+      values()[begin++] = e.value;
+    }
+  }
 
   // Sorts entries by rows and adds up those of the same row, in their order. \return the end of the
   // result
-  static Iterator merge(Iterator begin, Iterator end) {
-    // up to there, insertion takes 0.4 to 0.7 of the time (measured), which grows with the square
-    constexpr std::ptrdiff_t few = 24;
-    if (end - begin > few)
-      std::stable_sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
-    else
-      for (Iterator i = begin; i != end; ++i) {
-        const Entry e = *i;
-        Iterator to = i;
-        for (; to != begin && e.row < (to - 1)->row; --to) *to = *(to - 1);
-        *to = e;
+  int merge(int begin, int end) {
+    sort(begin, end);
+    int last = begin;
+    for (int i = begin; i != end; ++i)
+      if (last != begin && rows()[last - 1] == rows()[i]) {
+        values()[last - 1] += values()[i];
+      } else {
+        rows()[last] = rows()[i];
+        values()[last++] = values()[i];
       }
-    Iterator last = begin;
-    for (Iterator i = begin; i != end; ++i)
-      if (last != begin && (last - 1)->row == i->row)
-        (last - 1)->value += i->value;
-      else
-        *last++ = *i;
     return last;
   }
 
-  std::vector<std::size_t> end_; // the end of each column
-  std::vector<Entry> entries_;
+  // Sets a matrix to the values of a function of entries.
+  template <class Scalar, class Value>
+  void convert(const Value& entry, Eigen::SparseMatrix<Scalar>& m) {
+    m.resize(matrix_.rows(), matrix_.cols());
+    m.resizeNonZeros(matrix_.nonZeros());
+    std::copy(matrix_.outerIndexPtr(), matrix_.outerIndexPtr() + matrix_.cols() + 1,
+              m.outerIndexPtr());
+    std::copy(rows(), rows() + matrix_.nonZeros(), m.innerIndexPtr());
+    std::transform(values(), values() + matrix_.nonZeros(), m.valuePtr(), entry);
+  }
+
+  Eigen::SparseMatrix<Number> matrix_; // columns with room, until it is complete
+  std::vector<int> end_;               // of each column
 };
 
 } // namespace internal

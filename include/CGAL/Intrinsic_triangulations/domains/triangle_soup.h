@@ -12,6 +12,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +47,7 @@ public:
   bool keeps_polygons = false;
 
   std::size_t number_of_vertices() const { return soup_.points.size(); }
+  const std::array<double, 3>& point(std::size_t v) const { return soup_.points[v]; }
   std::size_t number_of_faces() const { return soup_.input_faces; }
 
   [[noreturn]] void fail(Element_kind kind, std::size_t index, const std::string& what) const {

@@ -55,8 +55,29 @@ struct Times_nonnegative {
 \pre the bounds are finite
 */
 inline Interval_nt<false> interval_square(const Interval_nt<false>& a) {
+#ifdef CGAL_USE_SSE2
+  const __m128d x = a.simd(), y = _mm_unpackhi_pd(x, x), minus = _mm_set1_pd(-0.0);
+  const __m128d low = _mm_max_sd(_mm_max_sd(_mm_xor_pd(x, minus), _mm_xor_pd(y, minus)),
+                                 _mm_setzero_pd()),
+                bounds = _mm_unpacklo_pd(low, _mm_max_sd(x, y));
+  return Interval_nt<false>(_mm_mul_pd(_mm_xor_pd(bounds, _mm_setr_pd(-0.0, 0.0)), bounds));
+#else
   const double low = std::max(std::max(a.inf(), -a.sup()), 0.0), high = std::max(-a.inf(), a.sup());
   return {-(-low * low), high * high};
+#endif
+}
+
+/*!
+\brief returns 1 / (2 x).
+\pre the lower bound is positive
+*/
+inline Interval_nt<false> half_of_inverse(const Interval_nt<false>& x) {
+#ifdef CGAL_USE_SSE2
+  const __m128d y = x.simd(), turned = _mm_xor_pd(_mm_shuffle_pd(y, y, 1), _mm_setr_pd(0.0, -0.0));
+  return Interval_nt<false>(_mm_div_pd(_mm_setr_pd(-0.5, 0.5), turned));
+#else
+  return {-(-0.5 / x.sup()), 0.5 / x.inf()};
+#endif
 }
 
 /*!
@@ -115,8 +136,7 @@ flipped_nonnegative(const Diamond_values<Interval_nt<false>>& d) {
   using FT = Interval_nt<false>;
   // else quotients by L_ij may overflow
   if (!(d.ij.inf() >= 0x1p-900)) return flipped(d);
-  const FT half(-(-0.5 / d.ij.sup()), 0.5 / d.ij.inf()),
-      quarter(0.5 * half.inf(), 0.5 * half.sup());
+  const FT half = half_of_inverse(d.ij), quarter(-(-half.inf() * 0.5), half.sup() * 0.5);
   const FT x = (d.ki - d.jk) - (d.im - d.mj); // p_k - p_m, without the error of L_ij
   const FT km = interval_square(x) + interval_square(d.area_f + d.area_g);
   const Times_nonnegative times;

@@ -195,6 +195,32 @@ FT quadruple_area(const Input_metric& m, std::uint32_t f) {
     return internal::quadruple_area_float<FT>(m, f);
 }
 
+namespace internal {
+
+// Calls `visit()` with the squared length of each edge.
+template <FieldNumber FT, class Visit>
+void for_each_squared_length(const Input_metric& m, const Gluing_map& mesh, const Visit& visit) {
+  const std::vector<double> excess = excess_of_edges(m, mesh);
+  const FT delta(m.delta());
+  const auto length = [&](std::uint32_t e) -> FT {
+    if (!m.is_embedded()) return FT(m.squared_lengths()[e]);
+    const Input_metric::Point& p = m.points()[mesh.source({2 * e}).index];
+    const Input_metric::Point& q = m.points()[mesh.target({2 * e}).index];
+    if constexpr (std::is_same_v<FT, Interval_nt<false>>)
+      return squared_distance_interval(p, q);
+    else
+      return Input_metric::squared_distance<FT>(p, q);
+  };
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    FT l = length(e);
+    if (m.delta() > 0) l = l + delta;
+    if (!excess.empty() && excess[e] != 0) l = l + FT(excess[e]);
+    visit(l);
+  }
+}
+
+} // namespace internal
+
 /*!
 \brief computes the squared lengths of all edges, in scaled units.
 \tparam FT a number type constructible from `double`
@@ -202,23 +228,9 @@ FT quadruple_area(const Input_metric& m, std::uint32_t f) {
 */
 template <FieldNumber FT>
 std::vector<FT> squared_lengths(const Input_metric& m, const Gluing_map& mesh) {
-  const std::vector<double> excess = internal::excess_of_edges(m, mesh);
   std::vector<FT> result;
   result.reserve(mesh.number_of_edges());
-  const FT delta(m.delta());
-  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
-    if (m.is_embedded()) {
-      const Input_metric::Point& p = m.points()[mesh.source({2 * e}).index];
-      const Input_metric::Point& q = m.points()[mesh.target({2 * e}).index];
-      if constexpr (std::is_same_v<FT, Interval_nt<false>>)
-        result.push_back(internal::squared_distance_interval(p, q));
-      else
-        result.push_back(Input_metric::squared_distance<FT>(p, q));
-    } else
-      result.push_back(FT(m.squared_lengths()[e]));
-    if (m.delta() > 0) result.back() = result.back() + delta;
-    if (!excess.empty() && excess[e] != 0) result.back() = result.back() + FT(excess[e]);
-  }
+  internal::for_each_squared_length<FT>(m, mesh, [&](const FT& l) { result.push_back(l); });
   return result;
 }
 

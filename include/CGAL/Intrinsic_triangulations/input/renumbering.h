@@ -24,8 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief tells whether neighbouring faces lie so far apart in memory that renumbering pays.
 
-True if the mesh does not fit a processor's cache (more than 2^17 faces) and more than an eighth of
-a sample of its edges join faces more than 4096 apart.
+True if the mesh does not fit a processor's cache (more than 2^17 faces), and edges that follow each
+other in a sample touch a new group of 64 consecutive faces more often than every eighth time. Rows
+of a grid touch few groups, however long they are.
 \complexity constant
 */
 bool is_badly_ordered(const Gluing_map& mesh);

@@ -54,14 +54,15 @@ public:
   /// constructs no values.
   Enclosed_values() = default;
 
-  /// takes intervals of the input; the doubles are their middles.
-  Enclosed_values(std::vector<FT> squared_lengths, std::vector<FT> quadruple_areas);
-
-  /// takes intervals and doubles.
+  /// takes intervals and doubles of squared lengths and quadruple areas.
+  /// \param squared_lengths, quadruple_areas, lengths, areas in scaled units
+  /// \param are_input_lengths_positive what the function of that name returns
   Enclosed_values(std::vector<FT> squared_lengths, std::vector<FT> quadruple_areas,
-                  std::vector<double> lengths, std::vector<double> areas)
+                  std::vector<double> lengths, std::vector<double> areas,
+                  bool are_input_lengths_positive = true)
       : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)),
-        length_(std::move(lengths)), area_(std::move(areas)) {}
+        length_(std::move(lengths)), area_(std::move(areas)),
+        are_input_lengths_positive_(are_input_lengths_positive) {}
 
   /// tells whether the area of a face is zero; exact for an input face.
   bool is_degenerate(std::uint32_t f) const { return quadruple_area_[f].sup() <= 0; }

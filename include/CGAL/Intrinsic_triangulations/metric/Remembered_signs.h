@@ -44,6 +44,7 @@ public:
   }
   /// forgets the signs of edges.
   void forget(std::span<const std::uint32_t> edges) noexcept {
+    if (codes_.empty()) return; // nearly always, as there are few ties
     for (const std::uint32_t e : edges)
       if (e < codes_.size()) codes_[e] = unknown;
   }

@@ -94,7 +94,7 @@ Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) cons
   // lost, the weight is as large as the error, so that no vertex comes apart from the others.
   constexpr double error = 0x1p-50;
   return Symmetric_columns<Weight>(between, number_of_unknowns_)
-      .matrix([](int, auto, auto) { return 0.; },
+      .matrix([](int, auto) { return Weight{}; },
               [](const Weight& w) { return std::min(-w.sum, -error * w.size); });
 }
 

@@ -15,15 +15,30 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// Whether the entries of each row are those of its column, in their order; a transposed copy would
+// take as much memory as the matrix.
 static bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
   if (m.rows() != m.cols()) return false;
-  const Eigen::SparseMatrix<double> rest = m - Eigen::SparseMatrix<double>(m.transpose());
-  return rest.nonZeros() == m.nonZeros() && (rest.coeffs() == 0).all();
+  const auto size = static_cast<std::size_t>(m.cols());
+  std::vector<int> next(m.outerIndexPtr(), m.outerIndexPtr() + size); // entry of each column
+  const auto end = [&](Eigen::Index c) {
+    return m.isCompressed() ? m.outerIndexPtr()[c + 1]
+                            : m.outerIndexPtr()[c] + m.innerNonZeroPtr()[c];
+  };
+  for (Eigen::Index c = 0; c < m.cols(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(m, c); i; ++i) {
+      const int other = next[static_cast<std::size_t>(i.row())]++;
+      if (other >= end(i.row()) || m.innerIndexPtr()[other] != c ||
+          !(m.valuePtr()[other] == i.value()))
+        return false;
+    }
+  return true;
 }
 
 namespace {

@@ -18,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations {
 Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
                                              const Eigen::VectorXd& diagonal) {
   return internal::Symmetric_columns<>(entries, static_cast<int>(diagonal.size()))
-      .matrix([&](int c, auto, auto) { return diagonal[c]; });
+      .matrix([&](int c, auto) { return diagonal[c]; });
 }
 
 namespace internal {
@@ -26,7 +26,7 @@ namespace internal {
 Eigen::SparseMatrix<std::complex<double>>
 hermitian_matrix(const std::vector<Hermitian_entry>& entries, const Eigen::VectorXd& diagonal) {
   return Symmetric_columns<std::complex<double>>(entries, static_cast<int>(diagonal.size()))
-      .matrix([&](int c, auto, auto) { return diagonal[c]; });
+      .matrix([&](int c, auto) { return diagonal[c]; });
 }
 
 void expect_countable(std::uint64_t number, const std::string& has) {

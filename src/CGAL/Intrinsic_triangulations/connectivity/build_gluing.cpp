@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ Sides_by_edge sides_by_edge(const Gluing& g) {
   for (std::uint32_t h = 0; h < count; ++h) ++place[std::min(g.origin[h], end(h)) + 1];
   for (std::size_t v = 1; v < place.size(); ++v) place[v] += place[v - 1];
   // then by the upper one; keys: that, the halfedge (31 bits), whether it runs along the edge
-  std::vector<std::uint64_t> keys(count);
+  const auto keys = std::make_unique_for_overwrite<std::uint64_t[]>(count);
   for (std::uint32_t h = 0; h < count; ++h) {
     const auto [low, high] = std::minmax({g.origin[h], end(h)});
     keys[place[low]++] = std::uint64_t{high} << 32U | h << 1U | (low == g.origin[h] ? 1U : 0U);
@@ -42,7 +43,7 @@ Sides_by_edge sides_by_edge(const Gluing& g) {
   result.sides.reserve(count);
   result.first.reserve(count / 2 + 1);
   for (std::uint32_t v = 0, i = 0; v < g.number_of_vertices; ++v) {
-    std::sort(keys.begin() + i, keys.begin() + place[v]);
+    std::sort(keys.get() + i, keys.get() + place[v]);
     for (const std::uint32_t begin = i; i < place[v]; ++i) {
       if (i == begin || keys[i] >> 32U != keys[i - 1] >> 32U) result.first.push_back(i);
       result.sides.push_back({static_cast<std::uint32_t>(keys[i]) >> 1U, (keys[i] & 1U) != 0});

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/domains/Points_at_places.h>
 #include <CGAL/Intrinsic_triangulations/domains/Stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/domains/domain_of_stars.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
-#include <boost/container_hash/hash.hpp>
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
@@ -26,7 +26,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -221,14 +220,12 @@ private:
 
 std::vector<std::uint32_t>
 first_points_at_places(const std::vector<std::array<double, 3>>& points) {
-  using Place = std::array<double, 3>;
-  // Zeros of both signs are one number for the hash, as for ==.
-  std::unordered_map<Place, std::uint32_t, boost::hash<Place>> found;
-  found.reserve(points.size());
+  Points_at_places found;
   std::vector<std::uint32_t> first;
   first.reserve(points.size());
+  const auto point_of = [&points](std::uint32_t i) -> const auto& { return points[i]; };
   for (std::uint32_t i = 0; i < points.size(); ++i)
-    first.push_back(found.try_emplace(points[i], i).first->second);
+    first.push_back(found.find_or_add(points[i], i, point_of));
   return first;
 }
 

@@ -63,7 +63,7 @@ static Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uin
     squared = squared_norm(sharp_determinant);
   if (!(squared.inf() > 0x1p-800 && squared.sup() < 0x1p800)) return {-1.0, -1.0};
   const double root = std::sqrt(squared.inf()); // not below
-  const bool is_exact = std::fma(root, root, -squared.inf()) == 0;
+  const bool is_exact = root * root == squared.inf() && -root * root == -squared.inf();
   return {is_exact ? 2 * root : -2 * (root * 0x1p-52 - root), 2 * std::sqrt(squared.sup())};
 }
 

@@ -6,13 +6,10 @@
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -31,17 +28,6 @@ void set_value(std::vector<T>& values, std::uint32_t i, const T& value) {
 
 } // namespace internal
 
-Enclosed_values::Enclosed_values(std::vector<FT> squared_lengths,
-                                 std::vector<FT> quadruple_areas)
-    : squared_length_(std::move(squared_lengths)), quadruple_area_(std::move(quadruple_areas)) {
-  length_.reserve(squared_length_.size());
-  area_.reserve(quadruple_area_.size());
-  for (const FT& x : squared_length_) length_.push_back(CGAL::to_double(x));
-  for (const FT& x : quadruple_area_) area_.push_back(CGAL::to_double(x));
-  are_input_lengths_positive_ = std::all_of(squared_length_.begin(), squared_length_.end(),
-                                            [](const FT& x) { return x.sup() > 0; });
-}
-
 bool Enclosed_values::is_narrow(const Indexed_face& face, double width) const {
   const Face_values<FT> f = enclosure(face);
   double longest = 0;
@@ -50,8 +36,7 @@ bool Enclosed_values::is_narrow(const Indexed_face& face, double width) const {
     longest = std::max(longest, x.sup());
   }
   // zero never gets narrow relative to itself
-  return is_narrow(f.quadruple_area,
-                   width * std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
+  return is_narrow(f.quadruple_area, width * std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
 }
 
 void Enclosed_values::make_room(std::uint32_t edges, std::uint32_t faces) {
@@ -92,8 +77,7 @@ void Enclosed_values::refine(std::span<const Indexed_face> faces,
 }
 
 void Enclosed_values::refine(const Indexed_face& face, const Face_values<FT>& better) const {
-  for (std::size_t k = 0; k < 3; ++k)
-    refine_length(face.edges[k], better.squared_lengths[k]);
+  for (std::size_t k = 0; k < 3; ++k) refine_length(face.edges[k], better.squared_lengths[k]);
   refine_area(face.face, better.quadruple_area);
 }
 

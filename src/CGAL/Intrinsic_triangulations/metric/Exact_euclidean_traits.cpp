@@ -14,7 +14,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -22,10 +25,33 @@ namespace internal {
 
 namespace {
 
+// Intervals, and doubles in the middle of each, in one go: both are in the cache then.
+struct Enclosing_values {
+  std::vector<Interval_nt<false>> enclosures;
+  std::vector<double> middles;
+
+  explicit Enclosing_values(std::size_t size) {
+    enclosures.reserve(size);
+    middles.reserve(size);
+  }
+  void add(const Interval_nt<false>& x) {
+    enclosures.push_back(x);
+    middles.push_back(CGAL::to_double(x));
+  }
+};
+
 Enclosed_values enclosed_input(const Gluing_map& mesh, const Input_metric& input) {
   const Protect_FPU_rounding<true> scope;
-  return {squared_lengths<Interval_nt<false>>(input, mesh),
-          quadruple_areas<Interval_nt<false>>(input)};
+  Enclosing_values lengths(mesh.number_of_edges()), areas(input.number_of_faces());
+  bool are_lengths_positive = true;
+  for_each_squared_length<Interval_nt<false>>(input, mesh, [&](const Interval_nt<false>& x) {
+    lengths.add(x);
+    are_lengths_positive = are_lengths_positive && x.sup() > 0;
+  });
+  for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
+    areas.add(quadruple_area<Interval_nt<false>>(input, f));
+  return {std::move(lengths.enclosures), std::move(areas.enclosures), std::move(lengths.middles),
+          std::move(areas.middles), are_lengths_positive};
 }
 
 Vertex_move_values<double> doubles_within(const Vertex_move_values<Interval_nt<false>>& values) {

@@ -24,6 +24,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -357,6 +358,33 @@ TEST_F(Read_triangle_soup, stl_merges_equal_corners_in_the_order_of_first_occurr
       read("b.stl", binary_stl({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, 0, 1, 0}}, 2));
   EXPECT_EQ(b.triangles, expected);
   EXPECT_EQ(b.points.size(), 4U);
+}
+
+TEST_F(Read_triangle_soup, many_corners_of_stl_are_merged_as_a_map_does_it) {
+  std::mt19937 random(3);
+  std::vector<std::array<float, 9>> facets(3000);
+  std::map<std::array<double, 3>, std::uint32_t> number; // which takes zeros of both signs as one
+  std::vector<std::uint32_t> corners;
+  for (auto& facet : facets) {
+    for (float& x : facet) x = static_cast<float>(static_cast<int>(random() % 21) - 10) * 0.1F;
+    facet[random() % 9] = -0.0F;
+    for (std::size_t k = 0; k < 9; k += 3)
+      corners.push_back(number
+                            .try_emplace({facet[k], facet[k + 1], facet[k + 2]},
+                                         static_cast<std::uint32_t>(number.size()))
+                            .first->second);
+  }
+  const Triangle_soup s = read("m.stl", binary_stl(facets, 3000));
+  EXPECT_EQ(s.points.size(), number.size());
+  for (const auto& [place, v] : number) EXPECT_EQ(s.points[v], place);
+  std::vector<std::uint32_t> expected, found;
+  for (std::size_t f = 0; f < facets.size(); ++f) { // without those that are lines
+    const std::array<std::uint32_t, 3> t{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      expected.insert(expected.end(), t.begin(), t.end());
+  }
+  for (const auto& t : s.triangles) found.insert(found.end(), t.begin(), t.end());
+  EXPECT_EQ(found, expected);
 }
 
 TEST_F(Read_triangle_soup, coordinates_are_the_doubles_nearest_to_the_text) {

@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
-#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/domains/Points_at_places.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
@@ -32,11 +32,11 @@ public:
       scan_binary();
     else
       scan_text();
-    merge();
+    out_.line = 0;
   }
 
 private:
-  using Point = std::array<double, 3>;
+  using Point = Points_at_places::Point;
 
   // The size decides, not the word solid, since many binary files start with it, too.
   bool is_binary() {
@@ -58,17 +58,26 @@ private:
     return n;
   }
 
-  std::size_t facet() const { return corners_.size() / 3; }
+  std::size_t facet() const { return out_.number_of_faces(); }
 
   [[noreturn]] void fail(const std::string& what) {
     out_.fail(Element_kind::face, facet(), "facet " + std::to_string(facet()) + " " + what);
   }
 
+  // Vertices are numbered in the order in which they first occur.
   void add_corner(const Point& p) {
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       fail("has a coordinate that is not a finite number; correct it or remove the facet");
-    if (corners_.size() >= 0xfffffffcU) fail("is too many; split the mesh");
-    corners_.push_back(p);
+    const auto next = static_cast<std::uint32_t>(out_.number_of_vertices());
+    const auto point_of = [&](std::uint32_t w) -> const Point& { return out_.point(w); };
+    const std::uint32_t v = vertices_.find_or_add(p, next, point_of);
+    if (v == next) out_.add_vertex(p[0], p[1], p[2]);
+    face_.push_back(v);
+  }
+
+  void end_facet() {
+    out_.add_face(face_);
+    face_.clear();
   }
 
   void scan_binary() {
@@ -77,18 +86,21 @@ private:
       out_.fail("the file is neither a text STL file, which starts with the word solid, nor long "
                 "enough to be a binary one; get a complete copy");
     const std::uint32_t count = count_in(header);
-    corners_.reserve(
-        static_cast<std::size_t>(3 * std::min<std::uintmax_t>(count, file_size_ / 50)));
+    out_.reserve(0, static_cast<std::size_t>(std::min<std::uintmax_t>(count, file_size_ / 50)));
     for (std::uint32_t i = 0; i < count; ++i) {
-      float numbers[12];
-      char attribute[2];
-      for (float& x : numbers)
-        if (!read_binary(in_, x, std::endian::little)) fail_short(count);
-      if (!in_.read(attribute, 2)) fail_short(count);
+      char record[50]; // a normal vector, three points, and an attribute
+      if (!in_.read(record, sizeof(record))) fail_short(count);
       for (unsigned k = 3; k < 12; k += 3)
-        add_corner({static_cast<double>(numbers[k]), static_cast<double>(numbers[k + 1]),
-                    static_cast<double>(numbers[k + 2])});
+        add_corner({number(record, k), number(record, k + 1), number(record, k + 2)});
+      end_facet();
     }
+  }
+
+  static double number(const char* record, unsigned k) {
+    std::array<char, 4> bytes;
+    std::copy_n(record + 4 * k, 4, bytes.begin());
+    if (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    return static_cast<double>(std::bit_cast<float>(bytes));
   }
 
   [[noreturn]] void fail_short(std::uint32_t count) {
@@ -103,18 +115,16 @@ private:
       if (in_facet && is_word(word, "vertex")) scan_corner();
       if (in_facet && is_word(word, "endfacet")) {
         in_facet = false;
-        if (corners_.size() != 3 * ++facets_) {
-          corners_.resize(3 * (facets_ - 1));
-          fail("does not have three vertices; divide it into triangles");
-        }
+        if (face_.size() != 3) fail("does not have three vertices; divide it into triangles");
+        end_facet();
       }
       if (!in_facet && is_word(word, "solid")) in_solid = true;
       if (!in_facet && is_word(word, "endsolid")) in_solid = false;
       if (in_solid && is_word(word, "facet")) in_facet = true;
     }
     if (in_solid)
-      out_.fail(Element_kind::face, facets_,
-                "the file ends before facet " + std::to_string(facets_) +
+      out_.fail(Element_kind::face, facet(),
+                "the file ends before facet " + std::to_string(facet()) +
                     " is complete or the solid is closed; it is truncated: get a complete copy");
   }
 
@@ -133,32 +143,13 @@ private:
     add_corner(p);
   }
 
-  // Vertices are numbered in the order in which they first occur.
-  void merge() {
-    out_.line = 0;
-    std::vector<std::uint32_t> vertex = first_points_at_places(corners_);
-    std::vector<std::int64_t> face;
-    for (std::size_t c = 0; c < corners_.size(); ++c) {
-      if (vertex[c] == c) {
-        vertex[c] = static_cast<std::uint32_t>(out_.number_of_vertices());
-        out_.add_vertex(corners_[c][0], corners_[c][1], corners_[c][2]);
-      } else {
-        vertex[c] = vertex[vertex[c]]; // an earlier corner, whose entry is its vertex by now
-      }
-      face.push_back(vertex[c]);
-      if (face.size() < 3) continue;
-      out_.add_face(face);
-      face.clear();
-    }
-  }
-
   std::istream& stream_;
   Buffered_input in_;
   std::uintmax_t file_size_;
   Soup_builder& out_;
-  std::vector<Point> corners_;
+  Points_at_places vertices_;
+  std::vector<std::int64_t> face_; // the current one
   std::string_view line_;
-  std::size_t facets_ = 0;
 };
 
 } // namespace
