@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What do values cost after flips, exactly and with doubles: the Laplacian, areas, lengths, and
-// testing and measuring all elements?
+// What do values cost after flips, exactly and with doubles: the Laplacian, areas, lengths, these
+// together, and testing and measuring all elements?
 // Usage: exact_values [DIRECTORY [REPETITIONS [FILE...]]] > values.json
 
 #include "benchmark_support.h"
@@ -55,6 +55,13 @@ void measure_values(const Triangulation& t, std::map<std::string, double>& times
   measure("laplacian", [](const auto& x) { IT::cotangent_laplacian(x); });
   measure("areas", [](const auto& x) { IT::lumped_mass_matrix(x); });
   measure("lengths", [](const auto& x) {
+    double sum = 0;
+    for (const auto e : edges(x.mesh())) sum += x.length(e);
+    return sum;
+  });
+  measure("together", [](const auto& x) {
+    IT::cotangent_laplacian(x);
+    IT::lumped_mass_matrix(x);
     double sum = 0;
     for (const auto e : edges(x.mesh())) sum += x.length(e);
     return sum;
@@ -125,10 +132,13 @@ int main(int argc, char** argv) {
     const std::string directory = mesh_directory(argc, argv);
     const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 3;
     nlohmann::json result;
-    result["shear_torus"] = measure_all(
-        IT::synthetic::to_surface_mesh<Kernel::Point_3>(IT::synthetic::shear_torus()), repetitions,
-        false);
+    result["shear_torus"] =
+        measure_all(IT::synthetic::to_surface_mesh<Kernel::Point_3>(IT::synthetic::shear_torus()),
+                    repetitions, false);
+    for (const char* const name : {"camel", "armadillo", "bunny00"})
+      result[name] = measure_all(read_mesh(directory, name), repetitions, false);
     result["arma_split200k"] = measure_all(split_armadillo(directory, 200000), repetitions, false);
+    result["arma_split1M"] = measure_all(split_armadillo(directory, 1000000), repetitions, false);
     result["all meshes"] = measure_directory(directory, repetitions);
     for (int i = 3; i < argc; ++i) {
       Surface_mesh mesh;

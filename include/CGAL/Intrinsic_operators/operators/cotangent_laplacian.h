@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_COTANGENT_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -47,6 +49,81 @@ typename Triangulation::face_descriptor smaller_face(const Triangulation& t,
   return f;
 }
 
+// Metrics that leave weights open, and find many at once faster than one by one.
+template <class Triangulation>
+concept Expects_weights = requires(const Triangulation& t, const std::vector<Diamond>& open) {
+  t.decider().expect_weights(open);
+};
+
+// Finds the cotangent weights of all edges, in their order. What stored values leave open is found
+// afterwards, at once if that takes less time. Signs that it takes make stored values narrower: as
+// if edges were asked one by one, these give the weights of the edges behind.
+template <Expects_weights Triangulation>
+class All_weights {
+  using Edge = typename Triangulation::edge_descriptor;
+  using Session = typename Triangulation::Const_session;
+
+public:
+  // \param session is open
+  All_weights(const Triangulation& t, const Session& session) : t_(t), session_(session) {
+    weights_.reserve(num_edges(t.mesh()));
+  }
+
+  std::vector<double> operator()() {
+    for (const Edge e : edges(t_.mesh())) weights_.push_back(stored_or_open(e));
+    expect_open();
+    const std::uint64_t& signs = t_.metric().statistics().filter_failures;
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      const std::uint64_t before = signs;
+      const bool is_known = is_tie(open_[k]);
+      weights_[places_[k]] = t_.cotangent_weight(open_[k]);
+      if (is_known || signs == before) continue;
+      find_behind(places_[k]);
+      break;
+    }
+    return std::move(weights_);
+  }
+
+private:
+  double stored_or_open(const Edge& e) {
+    const auto h = halfedge(e, t_.mesh());
+    const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+    if (face(h, t_.mesh()) == null || face(opposite(h, t_.mesh()), t_.mesh()) == null)
+      return session_.cotangent_weight(e); // of one face
+    const Diamond d = t_.diamond(h);
+    if (const auto weight = t_.metric().usual_weight(d)) return *weight;
+    if (const auto weight = t_.metric().stored_weight(d)) return *weight;
+    open_.push_back(d);
+    places_.push_back(weights_.size());
+    return 0;
+  }
+
+  // whether it is known that the weight is zero
+  bool is_tie(const Diamond& d) const { return t_.metric().remembered_signs().is_zero(d.ij); }
+
+  void expect_open() const {
+    std::vector<Diamond> unknown;
+    unknown.reserve(open_.size());
+    for (const Diamond& d : open_)
+      if (!is_tie(d)) unknown.push_back(d);
+    t_.decider().expect_weights(unknown);
+  }
+
+  void find_behind(std::size_t place) {
+    std::size_t n = 0;
+    for (const Edge e : edges(t_.mesh())) {
+      if (n > place) weights_[n] = session_.cotangent_weight(e);
+      ++n;
+    }
+  }
+
+  const Triangulation& t_;
+  const Session& session_;
+  std::vector<double> weights_;
+  std::vector<Diamond> open_;
+  std::vector<std::size_t> places_; // of their weights
+};
+
 // Calls `visit(e, w)` for each edge and its cotangent weight, which is finite.
 // \throws Invalid_input if a face has no area
 template <class Triangulation, class Visit>
@@ -55,8 +132,11 @@ void for_each_cotangent_weight(const Triangulation& t, const Visit& visit) {
   const typename Triangulation::Const_session session(t);
   for (const typename Triangulation::face_descriptor f : faces(mesh))
     if (t.metric().is_degenerate(t.index(f))) throw_degenerate_face(t, f);
+  std::vector<double> weights;
+  if constexpr (Expects_weights<Triangulation>) weights = All_weights<Triangulation>(t, session)();
+  auto next = weights.begin();
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const double weight = session.cotangent_weight(e);
+    const double weight = next != weights.end() ? *next++ : session.cotangent_weight(e);
     // where rounding is upwards, what overflows below is the least of doubles
     if (!(std::abs(weight) < std::numeric_limits<double>::max()))
       throw_degenerate_face(t, smaller_face(t, e));

@@ -71,23 +71,31 @@ public:
   double cotangent_weight(const Diamond& d, double tolerance) const {
     if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
     if (!memory_.are_found && asks_for_all()) {
-      find_values();
+      // a query must not end that values follow flips
+      if (!memory_.values.follows_flips()) find_values(inaccurate_diamonds());
       memory_.are_found = true;
     }
     if (const auto weight = replayed_weight(d)) return *weight;
     if (const auto weight = metric().stored_weight(d)) return *weight;
     // Users get the nearest double, which does not depend on the way of computation. Statistics
     // allow an error, so that angles near 1e-9 need no more than 106 bits, and mostly no sign.
-    const bool is_rough = tolerance > Enclosed_values::weight_tolerance;
-    const auto weight = [&](unsigned bits) {
-      return this->with_figure(d, [&](const auto& figure) {
-        return memory_.ladder.weight(this->input_metric(), figure, metric().statistics(),
-                                     is_rough ? tolerance : 0, bits);
-      });
-    };
-    if (is_rough)
-      if (const auto w = weight(106)) return *w;
-    return sign(d, Delaunay_expression()) == ZERO ? 0 : *weight(Mpfr_number::most_bits);
+    const double error = tolerance > Enclosed_values::weight_tolerance ? tolerance : 0;
+    if (error > 0)
+      if (const auto weight = this->weight_on_figure(d, error, 106)) return *weight;
+    if (sign(d, Delaunay_expression()) == ZERO) return 0;
+    if (!can_unfold_soon()) {
+      ++memory_.passes;
+      if (const auto weight = this->weight_by_few_flips(d)) return *weight;
+    }
+    return *this->weight_on_figure(d, error, Mpfr_number::most_bits);
+  }
+
+  // Finds at once, where that takes less time, what the weights of many diamonds take that stored
+  // values leave open, and that will be asked for.
+  void expect_weights(std::span<const Diamond> open) const {
+    if (open.empty() || memory_.are_found || places_.flips() == nullptr) return;
+    if (!memory_.values.follows_flips()) find_values(open);
+    memory_.are_found = true;
   }
 
   // Makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of the
@@ -143,7 +151,8 @@ public:
   // Gives the metric the values that follow insertions, of faces whose stored ones are too wide.
   void take_followed(double width) const {
     if (memory_.values.follows_insertions())
-      metric().statistics().sharpenings[106] += memory_.values.refine(metric(), wide_faces(width));
+      metric().statistics().sharpenings[106] +=
+          memory_.values.refine(metric(), this->wide_faces(width));
   }
 
 private:
@@ -235,27 +244,18 @@ private:
     }
   }
   void sharpen_all() const {
-    std::vector<Indexed_face> wide = wide_faces();
+    std::vector<Indexed_face> wide = this->wide_faces();
     note_crossings();
     narrow(std::move(wide));
     memory_.are_sharp = true;
     count_pass();
   }
-  std::vector<Indexed_face> wide_faces(double width = Enclosed_values::narrow) const {
-    std::vector<Indexed_face> result;
-    for (const auto f : faces(t_.mesh()))
-      if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face, width))
-        result.push_back(face);
-    return result;
-  }
 
-  // Finds values for all edges whose stored values are too inaccurate for weights, by repeating
+  // Finds values for diamonds whose stored values are too inaccurate for weights, by repeating
   // flips, if that takes less time than one by one. It also finds those of all faces with wide
   // intervals, which are usually asked for next, but leaves the stored ones: weights must not
   // depend on the order in which they are asked for.
-  void find_values() const {
-    if (memory_.values.follows_flips()) return; // a query must not end that
-    const std::vector<Diamond> diamonds = inaccurate_diamonds();
+  void find_values(std::span<const Diamond> diamonds) const {
     note_crossings();
     count_pass();
     if (memory_.values.is_following()) return;
@@ -264,7 +264,7 @@ private:
     for (const Diamond& d : diamonds)
       for (const Indexed_face& f : this->faces_of(d)) faces.push_back(f);
     if (places_.has_coordinates(t_) && this->can_unfold(faces)) return;
-    const std::vector<Indexed_face> wide = wide_faces();
+    const std::vector<Indexed_face> wide = this->wide_faces();
     faces.insert(faces.end(), wide.begin(), wide.end());
     memory_.values.keep(this->replayed_values(faces), false);
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
@@ -20,6 +21,8 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
@@ -121,6 +124,24 @@ protected:
     return {t_.input(), places_.connectivity(t_), *places_.flips(), {faces.begin(), faces.end()}};
   }
 
+  // The double nearest to the weight of a diamond, or one within a relative error that is not zero,
+  // if so many bits tell it.
+  std::optional<double> weight_on_figure(const Diamond& d, double error, unsigned most_bits) const {
+    return with_figure(d, [&](const auto& figure) {
+      return memory_.ladder.weight(input_metric(), figure, t_.metric().statistics(), error,
+                                   most_bits);
+    });
+  }
+  // The nearest one, which is not zero and takes more than 106 bits, by repeating few of the flips:
+  // to make coordinates would take all. Nothing if they are not few.
+  std::optional<double> weight_by_few_flips(const Diamond& d) const {
+    constexpr std::size_t short_flips = triangles_per_long_flip / triangles_per_short_flip;
+    const Replayed_diamond figure(replayed(faces_of(d)));
+    if (short_flips * figure.size() > places_.flips()->size()) return std::nullopt;
+    return memory_.ladder.weight(input_metric(), figure, t_.metric().statistics(), 0,
+                                 Mpfr_number::most_bits, 256);
+  }
+
   // the values of faces in 106 bits, by repeating flips
   Replayed_values<Short_ball> replayed_values(std::span<const Indexed_face> faces) const {
     return Exact_ladder::values(input_metric(), replayed(faces));
@@ -128,6 +149,15 @@ protected:
   std::vector<Indexed_face> all_faces() const {
     std::vector<Indexed_face> result;
     for (const auto f : faces(t_.mesh())) result.push_back(indexed_face(t_, f));
+    return result;
+  }
+
+  // those whose stored values are wider than users allow
+  std::vector<Indexed_face> wide_faces(double width = Enclosed_values::narrow) const {
+    std::vector<Indexed_face> result;
+    for (const auto f : faces(t_.mesh()))
+      if (const Indexed_face face = indexed_face(t_, f); !t_.metric().is_narrow(face, width))
+        result.push_back(face);
     return result;
   }
 

@@ -108,7 +108,7 @@ public:
          double error = 0, unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
 
   /// repeats flips in 106 bits and returns what it found. \param input see `sign()`
-  static Replayed_values<Short_ball> values(const Input_metric& input, const Replayed_faces& faces);
+  static Replayed_values<Short_ball> values(const Input_metric& input, Replayed_faces faces);
   /// returns the double nearest to the cotangent weight of a diamond, if its values tell it.
   static std::optional<double> nearest_weight(const Diamond_values<Short_ball>& diamond);
 

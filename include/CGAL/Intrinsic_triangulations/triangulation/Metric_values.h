@@ -26,10 +26,11 @@ namespace internal {
 // Greatest relative width of the intervals of values that users get.
 inline constexpr double usual_width = Enclosed_values::narrow;
 
-// The numbers of the face of a halfedge and of its sides, from that one on.
+// The numbers of the face of a halfedge and of its sides, from that one on. Inlined by force: in a
+// loop over all faces the call takes as long as what it does.
 template <class Triangulation>
-Indexed_face indexed_face_from(const Triangulation& t,
-                               typename Triangulation::halfedge_descriptor h) {
+BOOST_FORCEINLINE Indexed_face indexed_face_from(const Triangulation& t,
+                                                 typename Triangulation::halfedge_descriptor h) {
   const auto n = next(h, t.mesh()), l = next(n, t.mesh());
   const auto edge_number = [&t](auto g) { return t.index(edge(g, t.mesh())); };
   return {t.index(face(h, t.mesh())), {edge_number(h), edge_number(n), edge_number(l)}};

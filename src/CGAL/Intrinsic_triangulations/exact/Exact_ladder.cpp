@@ -23,6 +23,7 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // The order in which exact traits decide signs that the stored intervals of a metric leave open.
@@ -128,7 +129,7 @@ private:
 
 // A call: compilers move what they inline to where rounding has changed again.
 BOOST_NOINLINE std::optional<double> nearest_weight_of(const Diamond_values<Short_ball>& diamond) {
-  return nearest_double(cotangent_weight(diamond));
+  return nearest_double(weight_in_106_bits(diamond));
 }
 
 template <class Number>
@@ -153,10 +154,10 @@ void Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_
   internal::replay_in_intervals<Long_ball>(input, faces, visit);
 }
 
-Replayed_values<Short_ball> Exact_ladder::values(const Input_metric& input,
-                                                 const Replayed_faces& faces) {
+Replayed_values<Short_ball> Exact_ladder::values(const Input_metric& input, Replayed_faces faces) {
   return internal::to_nearest([&] {
-    return faces.known_values<Short_ball>(internal::faces_without_memory<Short_ball>(input));
+    return std::move(faces).known_values<Short_ball>(
+        internal::faces_without_memory<Short_ball>(input));
   });
 }
 

@@ -92,6 +92,21 @@ Long_ball enclosed(const Gmpq& x) {
   return x == Gmpq(0) ? Long_ball(0) : Long_ball::around(Mpfr_number::nearest(x), 0);
 }
 
+// The values that `Input_side_values` gives one by one, of a face of points near each other: three
+// vectors, where one by one takes five.
+std::optional<Input_face_intervals<Short_ball>::Face> face_of_near_points(const Input_metric& input,
+                                                                          std::uint32_t f) {
+  if (!input.is_embedded() || input.delta() != 0 || input.has_excess(f)) return std::nullopt;
+  const auto u = vector_in_doubles(input, f, 0, 1), v = vector_in_doubles(input, f, 1, 2),
+             w = vector_in_doubles(input, f, 2, 0);
+  if (!u || !v || !w) return std::nullopt;
+  const Double_double area = Double_double(4) * long_squared_norm(long_cross_product(*u, *w));
+  return Input_face_intervals<Short_ball>::Face{{enclosed(long_squared_norm(*u)),
+                                                 enclosed(long_squared_norm(*v)),
+                                                 enclosed(long_squared_norm(*w))},
+                                                sqrt(enclosed(area))};
+}
+
 // as accurate as the bits allow, even for a thin face
 Input_face_intervals<Long_ball>::Face wide_face(const Input_metric& input, std::uint32_t f) {
   return {{enclosed(input.squared_length<Gmpq>(f, 0)), enclosed(input.squared_length<Gmpq>(f, 1)),
@@ -157,6 +172,8 @@ typename Input_face_intervals<FT>::Face Input_face_intervals<FT>::face(const Inp
     if constexpr (std::is_same_v<FT, Long_ball>)
       // beyond the 256 bits of a thread at first
       if (Mpfr_number::rounding() < 0x1p-254) return internal::wide_face(input, f);
+    if constexpr (std::is_same_v<FT, Short_ball>)
+      if (const auto near = internal::face_of_near_points(input, f)) return *near;
     const Input_side_values<FT> values(input);
     return {{values.squared_length({f, 0}), values.squared_length({f, 1}),
              values.squared_length({f, 2})},

@@ -106,6 +106,11 @@ TEST(Replayed_faces, in_106_bits_have_one_radius_per_flip_which_contains_exact_v
           widest = std::max(widest, ball.radius() / ball.to_double());
           ++values;
         }
+        if (y.area_f == 0 || y.area_g == 0) continue;
+        const Number weight = IT::weight_in_106_bits(x), step_by_step = IT::cotangent_weight(x);
+        if (!(step_by_step.radius() < 0x1p100)) continue;
+        EXPECT_TRUE(contains(weight, IT::cotangent_weight(y)));
+        EXPECT_LE(weight.radius(), 16 * step_by_step.radius()); // it decides as many
       }
     }
     flips += walk.flips.size();

@@ -45,6 +45,16 @@ Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d,
                                    double e = Double_double::rounding());
 
 /*!
+\brief computes `cotangent_weight()` in 106 bits, with one radius; errors are as in `flipped()`.
+
+With numerators p = L_jk + L_ki - L_ij and q = L_im + L_mj - L_ij, the weight is w = s / (2 a_f a_g)
+where s = p a_g + q a_f. A sum of three numbers goes through two roundings of at most the sum of
+their magnitudes.
+\pre rounding is to the nearest
+*/
+Short_ball weight_in_106_bits(const Diamond_values<Short_ball>& d);
+
+/*!
 \brief holds the values of the faces that flips have met, and of those that were asked for; before
 that, a face is one of the input.
 \tparam FT a model of `Field`
@@ -165,8 +175,8 @@ public:
                  std::vector<Indexed_face> faces);
   /// takes all flips, since faces are most of those of a triangulation of a surface; see above.
   Replayed_faces(const Input& surface, const Flip_list& flips, std::vector<Indexed_face> faces)
-      : input_(&surface), mesh_(surface.mesh()), flips_(&flips), is_needed_(flips.size(), true),
-        size_(flips.size()), faces_(std::move(faces)) {}
+      : input_(&surface), mesh_of_input_(&surface.mesh()), flips_(&flips),
+        is_needed_(flips.size(), true), size_(flips.size()), faces_(std::move(faces)) {}
 
   /// returns the number of flips.
   std::size_t size() const { return size_; }
@@ -186,8 +196,29 @@ public:
   /// returns the values of the faces; if no flip is left out, also of others that flips have met.
   /// \see `for_each_face()`
   template <class FT, class Input_values>
-  Replayed_values<FT> known_values(const Input_values& input) const {
-    Gluing_map mesh = mesh_; // in the end only of the faces that are needed
+  Replayed_values<FT> known_values(const Input_values& input) const& {
+    return known_values<FT>(input, mesh_of_input_ != nullptr ? *mesh_of_input_ : mesh_);
+  }
+  /// returns the same, for the last time: it need not copy the mesh.
+  template <class FT, class Input_values>
+  Replayed_values<FT> known_values(const Input_values& input) && {
+    if (mesh_of_input_ != nullptr) mesh_ = *mesh_of_input_;
+    return known_values<FT>(input, std::move(mesh_));
+  }
+
+  /// returns the values of the faces; see above.
+  template <class FT, class Input_values>
+  std::vector<Face_values<FT>> values(const Input_values& input) const {
+    std::vector<Face_values<FT>> result;
+    result.reserve(faces_.size());
+    for_each_face<FT>(input, [&](const Face_values<FT>& f) { result.push_back(f); });
+    return result;
+  }
+
+private:
+  // \param mesh before the flips; in the end only of the faces that are needed
+  template <class FT, class Input_values>
+  Replayed_values<FT> known_values(const Input_values& input, Gluing_map mesh) const {
     Replayed_values<FT> known(mesh, 2 * faces_.size() >= mesh.number_of_faces());
     const auto find = [&](std::uint32_t f) {
       if (!known.knows(f)) known.add(f, mesh, Flip_list::first_side(mesh, {f}, *input_), input(f));
@@ -206,16 +237,6 @@ public:
     return known;
   }
 
-  /// returns the values of the faces; see above.
-  template <class FT, class Input_values>
-  std::vector<Face_values<FT>> values(const Input_values& input) const {
-    std::vector<Face_values<FT>> result;
-    result.reserve(faces_.size());
-    for_each_face<FT>(input, [&](const Face_values<FT>& f) { result.push_back(f); });
-    return result;
-  }
-
-private:
   static Diamond diamond(Gluing_map::Halfedge h, const Gluing_map& mesh) {
     const Gluing_map::Halfedge o = Gluing_map::opposite(h), jk = mesh.next(h), im = mesh.next(o);
     return {h.index / 2,
@@ -228,7 +249,8 @@ private:
   }
 
   const Input_definition* input_;
-  Gluing_map mesh_; // before the flips
+  const Gluing_map* mesh_of_input_ = nullptr; // before all flips, if known, else in `mesh_`
+  Gluing_map mesh_;                           // before the flips
   const Flip_list* flips_;
   std::vector<bool> is_needed_;
   std::size_t size_ = 0;

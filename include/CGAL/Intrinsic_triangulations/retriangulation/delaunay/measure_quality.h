@@ -142,7 +142,7 @@ void measure_faces(const Triangulation& t, Quality& q, const Visit& visit) {
   std::size_t count = 0; // `num_faces()` is of numbers, also of those that no face has any more
   Angle_counts angles(q);
   for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
-    const Indexed_face face = indexed_face(t, f);
+    const Indexed_face face = indexed_face_from(t, halfedge(f, t.mesh()));
     const Face_values<double> values = approximate_values(t.metric(), face);
     const auto [lengths, area] = values;
     const auto [a, b, c] = lengths;

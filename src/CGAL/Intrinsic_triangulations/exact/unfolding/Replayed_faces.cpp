@@ -50,6 +50,36 @@ Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d, double e
           Ball<Number>::around(sum(half, -w), r_area)};
 }
 
+Short_ball weight_in_106_bits(const Diamond_values<Short_ball>& d) {
+  using Number = Double_double;
+  constexpr double e = Double_double::rounding(), tiny = 0x1p-1000; // what underflows
+  const auto size = [](const Number& x) { return std::abs(x.magnitude()); };
+  struct Enclosed {
+    Number center;
+    double radius;
+  };
+  const auto numerator = [&](const Short_ball& u, const Short_ball& v) {
+    const Number &x = u.center(), &y = v.center(), &l = d.ij.center();
+    return Enclosed{Number::rough_sum(Number::rough_sum(x, y), -l),
+                    u.radius() + v.radius() + d.ij.radius() +
+                        2 * e * (size(x) + size(y) + size(l))};
+  };
+  const auto product = [&](const Enclosed& u, const Short_ball& v) {
+    const double a = size(v.center()), r = v.radius();
+    return Enclosed{u.center * v.center(),
+                    size(u.center) * (r + e * a) + (a + r) * u.radius + tiny};
+  };
+  const Enclosed s = product(numerator(d.jk, d.ki), d.area_g),
+                 t = product(numerator(d.im, d.mj), d.area_f),
+                 areas = product({d.area_f.center(), d.area_f.radius()}, d.area_g);
+  const double least = areas.center.magnitude() * (1 - 0x1p-48) - areas.radius;
+  if (!(least > 0)) return Short_ball::around(0, std::numeric_limits<double>::infinity());
+  const Number w = (Number::rough_sum(s.center, t.center) / areas.center).scaled(0.5);
+  const double r = s.radius + t.radius + e * (size(s.center) + size(t.center));
+  return Short_ball::around(w, (0.5 * r + size(w) * areas.radius) / least * (1 + 0x1p-40) +
+                                   2 * e * size(w));
+}
+
 Replayed_faces::Replayed_faces(const Input_definition& input, Gluing_map mesh,
                                const Flip_list& flips, std::vector<Indexed_face> faces)
     : input_(&input), flips_(&flips), is_needed_(flips.size()), faces_(std::move(faces)) {
