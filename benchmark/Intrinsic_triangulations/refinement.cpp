@@ -152,7 +152,7 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
 struct Comparison {
   std::size_t contender, to;
   double time = 0, other = 0, worst = 0;
-  std::string worst_mesh;
+  std::string worst_mesh{};
 
   void add(const std::string& mesh, const std::vector<double>& times) {
     time += times[contender];
