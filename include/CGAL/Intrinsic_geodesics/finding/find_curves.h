@@ -160,7 +160,7 @@ private:
     return true;
   }
 
-  // \param may_cross whether the curve may cross others and itself, as geodesics that are found alone
+  // \param may_cross whether it may cross others and itself, as geodesics that are found alone
   void add(const Wanted_curve& wanted, const Curve& curve, bool may_cross) {
     if (wanted.kind == Curve_kind::tree) return add_tree(curve.vertices.front());
     if (wanted.kind == Curve_kind::bezier) return add_bezier_curve(curve.vertices);
