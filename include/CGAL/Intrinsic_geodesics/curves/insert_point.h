@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POINT_H
 
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
@@ -39,6 +40,14 @@ struct Vertex_at_point {
 
 namespace internal {
 
+// A located point as it is inserted or traced. Corners of needles, as of coincident points, may be
+// 2^-40 of their sides apart. So it is 2^-44: 512 roundings of coordinates as large as the longest
+// side.
+template <NumberedComplex Complex>
+std::array<double, 3> weights_within_rounding(const Complex& complex, const Surface_point& p) {
+  return within_rounding(complex, p, 0x1p-44, 0x1p-38).weights;
+}
+
 // Finds the vertex at a point of the input, or inserts one by a function of a halfedge and weights.
 template <RefinableTriangulation Triangulation, class Insert>
 Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_point& p,
@@ -46,7 +55,7 @@ Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_p
   const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
   if (!q) return {Move_status::not_traceable};
   const std::array<double, 3> weights =
-      within_rounding(Intrinsic_view<Triangulation>(t), *q).weights;
+      weights_within_rounding(Intrinsic_view<Triangulation>(t), *q);
   typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};

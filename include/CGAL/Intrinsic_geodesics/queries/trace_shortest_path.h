@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
-#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,8 +46,8 @@ public:
     auto to = locate_on_input(t_, q);
     if (!from || !to) return false;
     // where an edge or a vertex of the input is within rounding, the point is named on it
-    from->point.weights = within_rounding(input_, from->point).weights;
-    to->weights = within_rounding(input_, *to).weights;
+    from->point.weights = weights_within_rounding(input_, from->point);
+    to->weights = weights_within_rounding(input_, *to);
     if (curve.points.empty()) curve.points.push_back(from->point);
     append_piece(input_, *from, *to, strip_, curve);
     return true;
