@@ -13,8 +13,8 @@
 #include <numbers>
 #include <vector>
 
-/// Parts as CAD programs triangulate them: no vertices but those of curves, so that planes consist of
-/// slivers and cylinders of needles. All are closed surfaces.
+/// Parts as CAD programs triangulate them: no vertices but those of curves, so that planes consist
+/// of slivers and cylinders of needles. All are closed surfaces.
 namespace CGAL::Intrinsic_triangulations::synthetic {
 
 /// returns a plate with three round corners of `n / 3` points each, whose two faces are fans of

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -33,8 +32,6 @@ namespace {
 
 // Milliseconds of processor time, by contender and by what is measured; the fastest run.
 using Times = std::map<std::string, std::map<std::string, double>>;
-
-double processor_time() { return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 template <class Function>
 void record(std::map<std::string, double>& times, const std::string& what, const Function& f) {

@@ -100,8 +100,10 @@ public:
       const Number on_diagonal(
           diagonal(c, std::span(values() + begin, static_cast<std::size_t>(end - begin))));
       insert(begin, end++, c, on_diagonal);
-      std::copy(rows() + begin, rows() + end, rows() + count);
-      std::copy(values() + begin, values() + end, values() + count);
+      if (begin != count) {
+        std::copy(rows() + begin, rows() + end, rows() + count);
+        std::copy(values() + begin, values() + end, values() + count);
+      }
       count += end - begin;
     }
     first[matrix_.cols()] = count;

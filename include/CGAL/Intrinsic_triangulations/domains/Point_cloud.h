@@ -37,6 +37,7 @@ struct Point_cloud_report {
 namespace internal {
 
 // For each point the first one at the same place: itself, unless it is duplicated.
+// \throws Invalid_input if a coordinate is not finite
 std::vector<std::uint32_t> first_points_at_places(const std::vector<std::array<double, 3>>& points);
 
 } // namespace internal

@@ -27,13 +27,14 @@ Surface_point within_rounding(const Complex& complex, const Surface_point& p,
   double nearest = std::numeric_limits<double>::infinity();
   Surface_point result = p;
   for (unsigned k = 0; k < 3; ++k) {
+    const unsigned last = (k + 1) % 3, apex = (k + 2) % 3;
     const Plane_vector<double> to_corner = face.to_corner(p.weights, k);
-    if (std::hypot(to_corner[0], to_corner[1]) <= tolerance || p.weights[k] > 1 - least) {
+    if (std::hypot(to_corner[0], to_corner[1]) <= tolerance ||
+        (p.weights[last] < least && p.weights[apex] < least)) {
       result.weights = {0, 0, 0};
       result.weights[k] = 1;
       return result;
     }
-    const unsigned last = (k + 1) % 3, apex = (k + 2) % 3;
     const double length = face.length[k], away = p.weights[apex] * area / (2 * length);
     const bool is_near = away < tolerance || p.weights[apex] < least;
     if (!is_near || !(away < nearest)) continue;

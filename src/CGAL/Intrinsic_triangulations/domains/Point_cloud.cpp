@@ -220,6 +220,7 @@ private:
 
 std::vector<std::uint32_t>
 first_points_at_places(const std::vector<std::array<double, 3>>& points) {
+  check_coordinates(points); // NaN is at no place: a table full of it is slow
   Points_at_places found;
   std::vector<std::uint32_t> first;
   first.reserve(points.size());
@@ -304,7 +305,6 @@ static Stars find_stars(const std::vector<std::array<double, 3>>& points,
 std::vector<std::array<std::uint32_t, 3>>
 triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                     Point_cloud_report& report) {
-  internal::check_coordinates(points);
   const std::vector<std::uint32_t> members =
       internal::distinct_points(points, internal::first_points_at_places(points));
   report.duplicated_points = points.size() - members.size();

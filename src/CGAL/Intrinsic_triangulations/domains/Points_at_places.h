@@ -42,12 +42,12 @@ private:
           0x9e3779b97f4a7c15U; // golden ratio
       h ^= h >> 32U;           // coordinates of few digits differ in their upper bits
     }
-    return h;
+    return h * 0x9e3779b97f4a7c15U; // its upper bits depend on all others
   }
   template <class Point_of>
   std::size_t slot_of(const Point& place, const Point_of& point_of) const {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t i = hash(place) & mask;
+    std::size_t i = hash(place) >> (65 - std::bit_width(slots_.size()));
     while (slots_[i] != none && point_of(slots_[i]) != place) i = (i + 1) & mask;
     return i;
   }

@@ -275,8 +275,7 @@ TEST(Explicit_crossings, Name_the_input_edge_that_an_edge_runs_along) {
     if (t.flip_edge(h) != IT::Move_status::done) continue;
     // halfedge h turned clockwise, thus its old opposite crosses it from left to right
     EXPECT_EQ(c.along(h.index), IT::Gluing::none);
-    EXPECT_EQ(c.entered_by(h.index, 0), h.index ^ 1U);
-    EXPECT_EQ(c.entered_by(h.index ^ 1U, 0), h.index);
+    EXPECT_EQ(c.entered_on(h.index / 2), std::vector<std::uint32_t>{h.index | 1U});
     return;
   }
   FAIL();

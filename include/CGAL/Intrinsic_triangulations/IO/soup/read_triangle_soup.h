@@ -73,7 +73,8 @@ one.
   coordinate that is not finite, a face with fewer than three vertices, with area on two sides of a
   vertex that it repeats, or with one out of range, a line of more than 64 MiB, no points, no faces
   where they are needed, or a polygon with no triangulation
-\complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
+\complexity linear for text and binary alike, expected for STL, and \f$n\log n\f$ in the number of
+  diagonals;
   memory follows the size of the file, never a count in it
 */
 Triangle_soup read_triangle_soup(const std::string& filename,

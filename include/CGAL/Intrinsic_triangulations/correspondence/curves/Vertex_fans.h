@@ -47,6 +47,7 @@ public:
   /// returns the slot that is `count` places counterclockwise from `slot`.
   std::uint32_t advance(std::uint32_t slot, std::uint32_t count) const {
     const Fan& fan = fan_[slot];
+    if (count > fan.size) count %= fan.size; // seldom: a division takes longer than all the rest
     std::uint32_t place = slot - fan.begin + count;
     while (place >= fan.size) place -= fan.size;
     return fan.begin + place;
@@ -54,6 +55,7 @@ public:
   /// returns the slot that is `count` places clockwise from `slot`.
   std::uint32_t retreat(std::uint32_t slot, std::uint32_t count) const {
     const Fan& fan = fan_[slot];
+    if (count > fan.size) count %= fan.size;
     std::uint32_t place = slot - fan.begin;
     while (place < count) place += fan.size;
     return fan.begin + (place - count);

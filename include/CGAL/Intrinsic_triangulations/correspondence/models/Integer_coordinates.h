@@ -117,9 +117,6 @@ public:
   }
   /// returns those that intrinsic halfedge `2 * edge` enters, in order. \pre see above
   std::vector<std::uint32_t> entered_on(std::uint32_t edge) const;
-  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position`
-  /// others. \pre see above \complexity linear in the number of runs
-  std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const;
   /// stores the crossings of each edge, unless they are very many. \complexity linear in crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {

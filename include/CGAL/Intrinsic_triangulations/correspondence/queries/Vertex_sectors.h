@@ -62,7 +62,8 @@ public:
 
   /*!
   \brief finds the sectors of all vertices, and keeps the axes of their faces in space, so that
-  reading them for one more field takes no point, root or division.
+  reading them for one more field takes no point, root or division. They take 48 bytes per sector,
+  about 340 per vertex.
   \param points where the user's vertices are
   */
   template <QueriedTriangulation Triangulation>

@@ -42,13 +42,6 @@ std::vector<std::uint32_t> Integer_coordinates::entered_on(std::uint32_t edge) c
   return result;
 }
 
-std::uint32_t Integer_coordinates::entered_by(std::uint32_t h, Normal_coordinate position) const {
-  std::uint32_t entered = Gluing::none;
-  for_each_run_of(h, position, position + 1,
-                  [&](const Crossing_run& run) { entered = run.first(); });
-  return entered;
-}
-
 void Integer_coordinates::make_room(std::uint32_t vertices, std::uint32_t edges) {
   reserve_at_least(location_, vertices - input_->number_of_vertices());
   reserve_at_least(normal_, edges);
