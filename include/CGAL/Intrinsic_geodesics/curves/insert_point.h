@@ -40,9 +40,9 @@ struct Vertex_at_point {
 
 namespace internal {
 
-// A located point as it is inserted or traced. Corners of needles, as of coincident points, may be
-// 2^-40 of their sides apart. So it is 2^-44: 512 roundings of coordinates as large as the longest
-// side.
+// The weights with which a located point is inserted or traced. It goes to a side or corner within
+// 2^-44 of the longest side, 512 roundings of coordinates, as corners of needles may be 2^-40 of
+// their sides apart; and where weights are below 2^-38.
 template <NumberedComplex Complex>
 std::array<double, 3> weights_within_rounding(const Complex& complex, const Surface_point& p) {
   return within_rounding(complex, p, 0x1p-44, 0x1p-38).weights;

@@ -16,7 +16,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // A point within rounding of a corner or a side of its face, at it.
 // \param nearness how far it may be away, as a part of the longest side
-// \param least a smaller weight is no weight, however large the face is
+// \param least smaller weights count as zero, however large the face is
 // \pre the halfedge of the point has a face
 template <NumberedComplex Complex>
 Surface_point within_rounding(const Complex& complex, const Surface_point& p,

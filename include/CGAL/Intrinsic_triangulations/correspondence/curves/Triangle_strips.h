@@ -99,7 +99,7 @@ private:
     unsigned pivot_end;
   };
 
-  // for sure, since there is no turn before it
+  // Whether no long turn starts before a triangle: then its number is its place.
   bool is_stored(std::uint32_t n) const { return turns_.empty() || n < turns_.front().first; }
   // the last turn that does not start behind a triangle
   const Turn& turn_at(std::uint32_t n) const;
